@@ -1,0 +1,47 @@
+# ariadne_add_library(NAME SOURCES ... DEPENDS ...): one library of libs/, with the project's
+# warnings, its headers and its place in the installed package.
+function(ariadne_add_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  add_library(ariadne_${name} ${ARG_SOURCES})
+  add_library(ariadne::${name} ALIAS ariadne_${name})
+  set_target_properties(ariadne_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_compile_features(ariadne_${name} PUBLIC cxx_std_17)
+  target_include_directories(ariadne_${name} PUBLIC
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_link_libraries(ariadne_${name} PUBLIC ${ARG_DEPENDS})
+  ariadne_set_options(ariadne_${name})
+  install(TARGETS ariadne_${name} EXPORT ariadne-targets
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+endfunction()
+
+# Warnings, sanitizers and clang-tidy, for everything that is ours.
+function(ariadne_set_options target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wnon-virtual-dtor)
+  if(ARIADNE_WERROR)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(ARIADNE_TIDY)
+    set_target_properties(${target} PROPERTIES CXX_CLANG_TIDY clang-tidy)
+  endif()
+endfunction()
+
+# ariadne_add_app(NAME SOURCES ... DEPENDS ...): a program in build/<preset>/bin.
+function(ariadne_add_app name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_DEPENDS})
+  ariadne_set_options(${name})
+  install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endfunction()
+
+# ariadne_add_test(NAME SOURCES ... DEPENDS ...): a GoogleTest program, each case its own ctest.
+function(ariadne_add_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_DEPENDS} GTest::gtest_main)
+  ariadne_set_options(${name})
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300
+    ENVIRONMENT "ARIADNE_SOURCE_DIR=${CMAKE_SOURCE_DIR};ARIADNE_BIN_DIR=${CMAKE_BINARY_DIR}/bin")
+endfunction()
