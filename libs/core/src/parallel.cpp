@@ -1,0 +1,38 @@
+#include "ariadne/core/parallel.h"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <thread>
+
+namespace ariadne::core {
+
+struct Parallel::Arena {
+  explicit Arena(int threads) : arena(threads) {}
+  tbb::task_arena arena;
+};
+
+Parallel::Parallel(int threads)
+    : threads_(threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency())) {
+  if (threads_ > 1) arena_ = std::make_unique<Arena>(threads_);
+}
+
+Parallel::~Parallel() = default;
+
+void Parallel::forEach(std::size_t count, const std::function<void(std::size_t)>& body) const {
+  if (!arena_) {
+    for (std::size_t i = 0; i < count; ++i) body(i);
+    return;
+  }
+  arena_->arena.execute([&] {
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, count, 1),
+        [&](const tbb::blocked_range<std::size_t>& range) {
+          for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
+        },
+        tbb::simple_partitioner{});
+  });
+}
+
+}  // namespace ariadne::core
