@@ -1,0 +1,44 @@
+// All parameters of a mapping run; each struct is a section of the INI.
+#pragma once
+#include "ariadne/core/fields.h"
+#include "ariadne/filter/params.h"
+#include "ariadne/grid/params.h"
+#include "ariadne/models/params.h"
+
+namespace ariadne::slam {
+
+/// When the filter acts.
+struct UpdateParams {
+  double update_distance_m = 0.3;
+  double update_angle_deg = 15;
+  int checkpoint_updates = 10;
+};
+
+template <class V>
+void visitFields(V& v, UpdateParams& p) {
+  v.number("update_distance_m", p.update_distance_m, {0, 100},
+           "the filter is updated each time the robot has travelled so far");
+  v.number("update_angle_deg", p.update_angle_deg, {0, 180}, "or has turned so far");
+  v.number("checkpoint_updates", p.checkpoint_updates, {1, 100000},
+           "every particle keeps its map as of every so many updates (copy-on-write)");
+}
+
+struct SlamParams {
+  filter::FilterParams filter;
+  UpdateParams update;
+  grid::GridParams grid;
+  models::MotionParams motion;
+  models::MatcherParams matcher;
+};
+
+/// Calls f(section name, parameter struct) for each section.
+template <class Params, class F>
+void forEachSection(Params& params, F&& f) {
+  f("filter", params.filter);
+  f("update", params.update);
+  f("grid", params.grid);
+  f("motion", params.motion);
+  f("matcher", params.matcher);
+}
+
+}  // namespace ariadne::slam
