@@ -8,7 +8,13 @@
 namespace ariadne::core {
 
 /// What a stream is drawn for; two purposes never share numbers.
-enum class Purpose : std::uint32_t { motion = 1, proposal = 2, resampling = 3, noise = 4, test = 99 };
+enum class Purpose : std::uint32_t {
+  motion = 1,
+  proposal = 2,
+  resampling = 3,
+  noise = 4,
+  test = 99
+};
 
 class RandomStream {
  public:

@@ -24,17 +24,21 @@ struct FilterParams {
 template <class V>
 void visitFields(V& v, FilterParams& p) {
   v.number("particles", p.particles, {1, 100000}, "number of particles N");
-  v.number("seed", p.seed, {0, 9007199254740992.0}, "same seed, same bits, on any number of threads");
-  v.choice("proposal", p.proposal,
-           core::Choices<Proposal>{{"odometry", Proposal::odometry},
-                                   {"scan_match", Proposal::scan_match},
-                                   {"improved", Proposal::improved}},
-           "where new poses are drawn: the motion model; the matched pose itself; a Gaussian fitted "
-           "to motion model times likelihood about it");
+  v.number("seed", p.seed, {0, 9007199254740992.0},
+           "same seed, same bits, on any number of threads");
+  v.choice(
+      "proposal", p.proposal,
+      core::Choices<Proposal>{{"odometry", Proposal::odometry},
+                              {"scan_match", Proposal::scan_match},
+                              {"improved", Proposal::improved}},
+      "where new poses are drawn: the motion model; the matched pose itself; a Gaussian fitted "
+      "to motion model times likelihood about it");
   v.number("proposal_gain", p.proposal_gain, {0.0001, 1000},
-           "tempering of the scan's log likelihood (per 180 beams' mean) in the proposal; higher is narrower");
-  v.number("weight_gain", p.weight_gain, {0.00001, 1000},
-           "tempering of the scan's log likelihood in the weights: beams are not independent witnesses");
+           "tempering of the scan's log likelihood (per 180 beams' mean) in the proposal; higher "
+           "is narrower");
+  v.number(
+      "weight_gain", p.weight_gain, {0.00001, 1000},
+      "tempering of the scan's log likelihood in the weights: beams are not independent witnesses");
   v.number("revisit_exponent", p.revisit_exponent, {0, 10},
            "the r-th revisit of a place weighs 1/r^exponent; 0 is the plain filter");
   v.number("revisit_radius_m", p.revisit_radius_m, {0.1, 100},

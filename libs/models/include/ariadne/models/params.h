@@ -47,7 +47,8 @@ template <class V>
 void visitFields(V& v, MatcherParams& p) {
   v.number("field_sigma_m", p.field_sigma_m, {0.01, 2},
            "width of the likelihood field that the matcher climbs; wider pulls from farther");
-  v.number("max_beams", p.max_beams, {10, 10000}, "beams used for matching and weighing, thinned evenly");
+  v.number("max_beams", p.max_beams, {10, 10000},
+           "beams used for matching and weighing, thinned evenly");
   v.number("max_iterations", p.max_iterations, {1, 200}, "Gauss-Newton steps at the most");
   v.number("search_angle_deg", p.search_angle_deg, {0, 90},
            "coarse search about the predicted heading, half width; 0 for none");

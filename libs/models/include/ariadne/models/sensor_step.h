@@ -6,7 +6,7 @@
 namespace ariadne::models {
 
 struct SensorStep {
-  double time_s = 0;                 ///< UNIX time of the scan, seconds
+  double time_s = 0;                    ///< UNIX time of the scan, seconds
   mrpt::math::TPose2D odom_from_robot;  ///< cumulative odometry, m and rad
   /// The scan; null where a dataset has odometry only. sensorPose is robot_from_laser.
   mrpt::obs::CObservation2DRangeScan::Ptr scan;

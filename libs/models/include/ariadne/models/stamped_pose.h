@@ -1,0 +1,16 @@
+// A pose with its time: what trajectories are made of.
+#pragma once
+#include <mrpt/math/TPose2D.h>
+
+#include <vector>
+
+namespace ariadne::models {
+
+struct StampedPose {
+  double time_s = 0;         ///< UNIX time, seconds
+  mrpt::math::TPose2D pose;  ///< m and rad, in the frame that the trajectory names
+};
+
+using Trajectory = std::vector<StampedPose>;
+
+}  // namespace ariadne::models

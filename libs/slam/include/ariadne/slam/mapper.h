@@ -1,0 +1,51 @@
+// The mapping loop: sensor steps in, filter updates out. RbpfMapBuilder is this behind MRPT's
+// CMetricMapBuilder; the apps use it as it is.
+#pragma once
+#include <mrpt/maps/COccupancyGridMap2D.h>
+#include <mrpt/maps/CSimpleMap.h>
+
+#include <memory>
+#include <optional>
+
+#include "ariadne/models/sensor_step.h"
+#include "ariadne/models/stamped_pose.h"
+#include "ariadne/slam/params.h"
+#include "ariadne/slam/step_report.h"
+
+namespace ariadne::slam {
+
+/// Wall-clock seconds by stage, summed over all updates.
+struct StageTimes {
+  double predict_s = 0;  ///< motion model, scan match, proposal, weight
+  double resample_s = 0;
+  double insert_s = 0;  ///< scans into maps, checkpoints
+};
+
+class Mapper {
+ public:
+  /// @param threads 0 takes one a core. Throws core::UsageError when a parameter is out of bounds.
+  Mapper(const SlamParams& params, int threads);
+  ~Mapper();
+  Mapper(const Mapper&) = delete;
+  Mapper& operator=(const Mapper&) = delete;
+
+  /// Takes the next step, in time order. Returns the report when the filter was updated, nothing
+  /// when the robot has not moved far enough (the step then only adds to the path).
+  std::optional<StepReport> process(const models::SensorStep& step);
+
+  /// The map of s*, as MRPT's grid.
+  mrpt::maps::COccupancyGridMap2D map() const;
+  /// The path of s*: one pose (map_from_robot) for every step that was processed; between filter
+  /// updates along the odometry.
+  models::Trajectory path() const;
+  /// The scans that the filter used with the poses of s*, for MRPT's tools.
+  mrpt::maps::CSimpleMap simpleMap() const;
+  StageTimes times() const;
+  std::size_t updates() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace ariadne::slam
