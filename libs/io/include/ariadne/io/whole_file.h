@@ -1,0 +1,22 @@
+// A file appears whole or not at all: written beside its place, checked, then renamed into it.
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace ariadne::io {
+
+/// Writes `content` to `path`, replacing what is there only once all of it is on the disk.
+/// Throws core::Error naming the path and the system's reason; then `path` is as it was.
+void writeWhole(const std::filesystem::path& path, std::string_view content);
+
+/// The same for a writer that needs a file name of its own (MRPT's, Cairo's). `write` must throw
+/// when it fails; the temporary name keeps the extension of `path`.
+void writeWhole(const std::filesystem::path& path,
+                const std::function<void(const std::filesystem::path& temporary)>& write);
+
+/// All of a file. Throws core::Error naming the path.
+std::string readWhole(const std::filesystem::path& path);
+
+}  // namespace ariadne::io

@@ -1,0 +1,95 @@
+#include "ariadne/io/whole_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "ariadne/core/error.h"
+
+namespace ariadne::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+core::Error failure(const char* verb, const fs::path& path, int code) {
+  return core::Error(fmt::format("cannot {} {}: {}", verb, path.string(), std::strerror(code)));
+}
+
+class Descriptor {
+ public:
+  Descriptor(const fs::path& path, int flags)
+      : fd_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
+  ~Descriptor() {
+    if (fd_ >= 0) ::close(fd_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int get() const { return fd_; }
+  /// Network and quota errors may show up only here.
+  bool close() { return ::close(std::exchange(fd_, -1)) == 0; }
+
+ private:
+  int fd_;
+};
+
+/// Removes the temporary unless it was renamed.
+struct Temporary {
+  fs::path path;
+  bool renamed = false;
+  ~Temporary() {
+    std::error_code ignored;
+    if (!renamed) fs::remove(path, ignored);
+  }
+};
+
+fs::path temporaryName(const fs::path& path) {
+  return path.parent_path() /
+         fmt::format(".{}.{}.part{}", path.stem().string(), ::getpid(), path.extension().string());
+}
+
+}  // namespace
+
+void writeWhole(const fs::path& path, const std::function<void(const fs::path&)>& write) {
+  Temporary temporary{temporaryName(path)};
+  write(temporary.path);
+  {
+    // A full disk may let every write pass and fail only when the pages go out.
+    Descriptor file(temporary.path, O_RDONLY);
+    if (file.get() < 0 || ::fsync(file.get()) != 0) throw failure("write", path, errno);
+  }
+  if (::rename(temporary.path.c_str(), path.c_str()) != 0) throw failure("write", path, errno);
+  temporary.renamed = true;
+}
+
+void writeWhole(const fs::path& path, std::string_view content) {
+  writeWhole(path, [&](const fs::path& temporary) {
+    Descriptor file(temporary, O_WRONLY | O_CREAT | O_TRUNC);
+    if (file.get() < 0) throw failure("write", path, errno);
+    while (!content.empty()) {
+      const ssize_t written = ::write(file.get(), content.data(), content.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) throw failure("write", path, errno);
+      content.remove_prefix(static_cast<std::size_t>(written));
+    }
+    if (!file.close()) throw failure("write", path, errno);
+  });
+}
+
+std::string readWhole(const fs::path& path) {
+  Descriptor file(path, O_RDONLY);
+  if (file.get() < 0) throw failure("read", path, errno);
+  std::string content;
+  char block[1 << 16];
+  for (;;) {
+    const ssize_t got = ::read(file.get(), block, sizeof(block));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw failure("read", path, errno);
+    if (got == 0) return content;
+    content.append(block, static_cast<std::size_t>(got));
+  }
+}
+
+}  // namespace ariadne::io
