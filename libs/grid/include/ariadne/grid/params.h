@@ -11,6 +11,7 @@ struct GridParams {
   double free_probability = 0.6;
   double occupied_probability = 0.9;
   double no_return_free_m = 0;
+  double field_sigma_m = 0.1;
 };
 
 template <class V>
@@ -24,6 +25,9 @@ void visitFields(V& v, GridParams& p) {
            "probability that a cell a beam ended in is occupied");
   v.number("no_return_free_m", p.no_return_free_m, {0, 500},
            "a beam without return clears up to this range; 0 ignores it");
+  v.number("field_sigma_m", p.field_sigma_m, {0.01, 2},
+           "width of the likelihood field about occupied cells that scans are matched on; wider "
+           "pulls from farther");
 }
 
 }  // namespace ariadne::grid

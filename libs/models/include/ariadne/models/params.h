@@ -17,13 +17,14 @@ struct MotionParams {
 
 /// Scan matching and the likelihood of endpoints.
 struct MatcherParams {
-  double field_sigma_m = 0.12;
   int max_beams = 180;
   int max_iterations = 12;
   double search_angle_deg = 12;
   double search_distance_m = 0.3;
+  double search_below = 0.5;
   double hit_sigma_m = 0.1;
   double hit_weight = 0.9;
+  double unknown_share = 0.3;
 };
 
 template <class V>
@@ -45,8 +46,6 @@ void visitFields(V& v, MotionParams& p) {
 
 template <class V>
 void visitFields(V& v, MatcherParams& p) {
-  v.number("field_sigma_m", p.field_sigma_m, {0.01, 2},
-           "width of the likelihood field that the matcher climbs; wider pulls from farther");
   v.number("max_beams", p.max_beams, {10, 10000},
            "beams used for matching and weighing, thinned evenly");
   v.number("max_iterations", p.max_iterations, {1, 200}, "Gauss-Newton steps at the most");
@@ -54,10 +53,14 @@ void visitFields(V& v, MatcherParams& p) {
            "coarse search about the predicted heading, half width; 0 for none");
   v.number("search_distance_m", p.search_distance_m, {0, 5},
            "coarse search about the predicted position, half width");
+  v.number("search_below", p.search_below, {0, 1},
+           "the coarse search runs when the mean field under the endpoints is under this");
   v.number("hit_sigma_m", p.hit_sigma_m, {0.01, 2},
            "standard deviation of an endpoint's distance to the nearest occupied cell");
   v.number("hit_weight", p.hit_weight, {0.01, 0.999},
            "share of beams expected to end on something mapped");
+  v.number("unknown_share", p.unknown_share, {0, 1},
+           "an endpoint in unknown space costs this share of one in free space");
 }
 
 }  // namespace ariadne::models

@@ -1,0 +1,60 @@
+#include "ariadne/grid/occupancy_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ariadne::grid {
+namespace {
+
+const GridParams& validated(const GridParams& params) {
+  core::validateFields(params, "grid");
+  return params;
+}
+
+}  // namespace
+
+OccupancyGrid::OccupancyGrid(const GridParams& params)
+    : resolution_(validated(params).resolution_m),
+      evidence_(beamEvidence(params)),
+      field_(params.field_sigma_m / params.resolution_m) {}
+
+Cell OccupancyGrid::cellOf(const mrpt::math::TPoint2D& p) const {
+  return {static_cast<int>(std::floor((p.x - origin_.x) / resolution_)),
+          static_cast<int>(std::floor((p.y - origin_.y) / resolution_))};
+}
+
+mrpt::math::TPoint2D OccupancyGrid::centreOf(Cell c) const {
+  return {origin_.x + (c.x + 0.5) * resolution_, origin_.y + (c.y + 0.5) * resolution_};
+}
+
+void OccupancyGrid::set(Cell c, std::int8_t log_odds) {
+  const std::int8_t before = at(c);
+  if (before == log_odds) return;
+  cells_.set(c.x, c.y, log_odds);
+  if (before >= 0 && log_odds < 0) field_.occupy(c);
+  if (before < 0 && log_odds >= 0) field_.release(c, cells_);
+}
+
+CellBox OccupancyGrid::knownBox() const {
+  constexpr int kFar = std::numeric_limits<int>::max();
+  CellBox box{kFar, kFar, -kFar, -kFar};
+  cells_.forEachTile([&](int tx, int ty, const TiledPlane<std::int8_t>::Tile& tile) {
+    for (int i = 0; i < static_cast<int>(tile.size()); ++i) {
+      if (tile[i] == 0) continue;
+      const int x = tx * kTileCells + i % kTileCells;
+      const int y = ty * kTileCells + i / kTileCells;
+      box = {std::min(box.x0, x), std::min(box.y0, y), std::max(box.x1, x + 1),
+             std::max(box.y1, y + 1)};
+    }
+  });
+  return box.x0 == kFar ? CellBox{} : box;
+}
+
+void OccupancyGrid::clear(const mrpt::math::TPoint2D& origin) {
+  cells_.clear();
+  field_.clear();
+  origin_ = origin;
+}
+
+}  // namespace ariadne::grid

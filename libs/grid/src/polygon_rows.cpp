@@ -1,0 +1,68 @@
+#include "ariadne/grid/polygon_rows.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ariadne::grid {
+namespace {
+
+using mrpt::math::TPoint2D;
+
+/// First cell whose centre is at or past v.
+int firstCentre(double v) { return static_cast<int>(std::ceil(v - 0.5)); }
+
+/// Calls f(a, b, row0, row1) for each edge that crosses the centre of a row; a is the lower end.
+template <class F>
+void forEachEdge(const std::vector<TPoint2D>& vertices, F&& f) {
+  const TPoint2D* from = &vertices.back();
+  for (const TPoint2D& to : vertices) {
+    const bool up = from->y < to.y;
+    const TPoint2D& a = up ? *from : to;
+    const TPoint2D& b = up ? to : *from;
+    const int row0 = firstCentre(a.y);
+    const int row1 = firstCentre(b.y);
+    if (row0 < row1) f(a, b, row0, row1);
+    from = &to;
+  }
+}
+
+void sortRow(int* begin, int* end) {
+  for (int* i = begin + 1; i < end; ++i)  // a handful of crossings a row
+    for (int* j = i; j > begin && j[0] < j[-1]; --j) std::swap(j[0], j[-1]);
+}
+
+}  // namespace
+
+void PolygonRows::build(const std::vector<TPoint2D>& vertices) {
+  row_ends_.clear();
+  crossings_.clear();
+  first_row_ = 0;
+  if (vertices.size() < 3) return;
+  const auto [low, high] = std::minmax_element(
+      vertices.begin(), vertices.end(), [](const auto& a, const auto& b) { return a.y < b.y; });
+  first_row_ = firstCentre(low->y);
+  row_ends_.assign(static_cast<std::size_t>(std::max(0, firstCentre(high->y) - first_row_)), 0);
+
+  forEachEdge(vertices, [&](const TPoint2D&, const TPoint2D&, int row0, int row1) {
+    for (int r = row0; r < row1; ++r) ++row_ends_[r - first_row_];
+  });
+  std::size_t total = 0;
+  for (std::size_t& end : row_ends_) {
+    const std::size_t count = end;
+    end = total;  // where the row begins; moves on to its end below
+    total += count;
+  }
+  crossings_.resize(total);
+  forEachEdge(vertices, [&](const TPoint2D& a, const TPoint2D& b, int row0, int row1) {
+    const double slope = (b.x - a.x) / (b.y - a.y);
+    for (int r = row0; r < row1; ++r)
+      crossings_[row_ends_[r - first_row_]++] = firstCentre(a.x + (r + 0.5 - a.y) * slope);
+  });
+  std::size_t begin = 0;
+  for (const std::size_t end : row_ends_) {
+    sortRow(crossings_.data() + begin, crossings_.data() + end);
+    begin = end;
+  }
+}
+
+}  // namespace ariadne::grid

@@ -1,0 +1,77 @@
+// Sixteen cells at a time: adds a beam's evidence for free, saturating at kMostFree.
+#pragma once
+#include <cstdint>
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+namespace ariadne::grid {
+
+constexpr int kLanes = 16;
+
+/// What adding to sixteen cells would do; nothing is written yet, since a write may copy the tile.
+struct FillChange {
+  bool any = false;    ///< a cell would change
+  unsigned freed = 0;  ///< bit i: cell i would go from occupied to not occupied
+};
+
+#if defined(__SSE2__)
+
+class FillLanes {
+ public:
+  /// Adds `amount` to the lanes [begin, end) of sixteen.
+  FillLanes(int begin, int end, std::int8_t amount) {
+    alignas(16) static constexpr std::int8_t kStep[48] = {
+        0,  0,  0,  0,  0,  0,  0,  0,  0, 0, 0, 0, 0, 0, 0, 0, -1, -1, -1, -1, -1, -1, -1, -1,
+        -1, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 0, 0,  0,  0,  0,  0,  0,  0,  0};
+    const auto at = [](int i) {
+      return _mm_loadu_si128(reinterpret_cast<const __m128i*>(kStep + i));
+    };
+    add_ = _mm_and_si128(_mm_and_si128(at(16 - begin), at(32 - end)), _mm_set1_epi8(amount));
+  }
+  FillChange change(const std::int8_t* cells) const {
+    const __m128i before = _mm_load_si128(reinterpret_cast<const __m128i*>(cells));
+    const __m128i after = _mm_adds_epi8(before, add_);
+    const bool any = _mm_movemask_epi8(_mm_cmpeq_epi8(before, after)) != 0xFFFF;
+    return {any, static_cast<unsigned>(_mm_movemask_epi8(_mm_andnot_si128(after, before)))};
+  }
+  void apply(std::int8_t* cells) const {
+    __m128i* p = reinterpret_cast<__m128i*>(cells);
+    _mm_store_si128(p, _mm_adds_epi8(_mm_load_si128(p), add_));
+  }
+
+ private:
+  __m128i add_;
+};
+
+#else
+
+class FillLanes {
+ public:
+  FillLanes(int begin, int end, std::int8_t amount) : begin_(begin), end_(end), amount_(amount) {}
+  FillChange change(const std::int8_t* cells) const {
+    FillChange c;
+    for (int i = begin_; i < end_; ++i) {
+      c.any |= added(cells[i]) != cells[i];
+      if (cells[i] < 0 && added(cells[i]) >= 0) c.freed |= 1U << i;
+    }
+    return c;
+  }
+  void apply(std::int8_t* cells) const {
+    for (int i = begin_; i < end_; ++i) cells[i] = added(cells[i]);
+  }
+
+ private:
+  std::int8_t added(std::int8_t v) const {
+    const int sum = v + amount_;
+    return static_cast<std::int8_t>(sum > 127 ? 127 : sum);
+  }
+  int begin_;
+  int end_;
+  std::int8_t amount_;
+};
+
+#endif
+
+}  // namespace ariadne::grid

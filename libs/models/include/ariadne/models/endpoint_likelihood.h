@@ -1,0 +1,38 @@
+// p(z | x, m) of a scan: each beam's endpoint is judged by its distance d to the nearest occupied
+// cell, log(h exp(-d^2 / 2 sigma^2) + 1 - h) (likelihood field, Thrun et al., Probabilistic
+// Robotics, 6.4). An endpoint in unknown space says nothing for or against and counts as a beam of
+// middling quality.
+#pragma once
+#include <mrpt/math/TPoint2D.h>
+#include <mrpt/math/TPose2D.h>
+
+#include <array>
+#include <vector>
+
+#include "ariadne/grid/occupancy_grid.h"
+#include "ariadne/models/params.h"
+
+namespace ariadne::models {
+
+/// Scans count as if they had this many beams, however many they have; gains are per that.
+constexpr double kNominalBeams = 180;
+
+class EndpointLikelihood {
+ public:
+  EndpointLikelihood(const MatcherParams& params, double field_sigma_m);
+
+  /// Log likelihood of the scan, scaled to kNominalBeams, untempered.
+  /// @param points ends of beams, m, robot's frame.
+  double operator()(const grid::OccupancyGrid& map, const std::vector<mrpt::math::TPoint2D>& points,
+                    const mrpt::math::TPose2D& map_from_robot) const;
+
+ private:
+  double beam(double field) const {
+    const int i = static_cast<int>(field);
+    return table_[i] + (table_[i + 1] - table_[i]) * (field - i);
+  }
+  std::array<double, 257> table_;  // by field value, 0..255, and one more to interpolate
+  double unknown_;
+};
+
+}  // namespace ariadne::models

@@ -1,0 +1,40 @@
+// Odometry motion model p(x_t | x_{t-1}, u_t) of the filter's prediction: Gaussian in the frame of
+// the robot before the motion. Noise grows with the net turn and the distance, not with the two
+// rotations of rotation-translation-rotation: in a turn almost in place those are near 90 degrees
+// each and would get absurd noise.
+#pragma once
+#include <mrpt/math/TPose2D.h>
+
+#include <Eigen/Dense>
+
+#include "ariadne/core/random.h"
+#include "ariadne/models/params.h"
+
+namespace ariadne::models {
+
+/// Pose of b seen from a: a^-1 (+) b, heading in (-pi, pi].
+mrpt::math::TPose2D relativePose(const mrpt::math::TPose2D& a, const mrpt::math::TPose2D& b);
+/// a (+) b, heading in (-pi, pi].
+mrpt::math::TPose2D compose(const mrpt::math::TPose2D& a, const mrpt::math::TPose2D& b);
+
+/// One odometry increment, prepared once a step, used by every particle.
+class Motion {
+ public:
+  /// @param before_from_after odometry increment, m and rad, in the frame before the motion.
+  Motion(const mrpt::math::TPose2D& before_from_after, const MotionParams& params);
+
+  /// Most likely pose after the motion.
+  mrpt::math::TPose2D mean(const mrpt::math::TPose2D& before) const {
+    return compose(before, increment_);
+  }
+  mrpt::math::TPose2D sample(const mrpt::math::TPose2D& before, core::RandomStream& rng) const;
+  /// Covariance of (x, y, heading), map frame, for a robot that was at `before`.
+  Eigen::Matrix3d covariance(const mrpt::math::TPose2D& before) const;
+
+ private:
+  mrpt::math::TPose2D increment_;
+  double direction_ = 0;   // of travel, in the frame before
+  Eigen::Vector3d sigma_;  // along, across, turn
+};
+
+}  // namespace ariadne::models

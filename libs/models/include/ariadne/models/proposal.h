@@ -1,0 +1,44 @@
+// The improved proposal: a Gaussian fitted to p(z | x, m) p(x | x', u) about the matched pose, and
+// its integral, the particle's weight. After Grisetti, Stachniss, Burgard, "Improved techniques for
+// grid mapping with Rao-Blackwellized particle filters", T-RO 2007, Eq. (12)-(19); the covariance
+// is from finite differences, since the matcher's J^T J vanishes at the peak.
+#pragma once
+#include <mrpt/math/TPose2D.h>
+
+#include <Eigen/Dense>
+#include <vector>
+
+#include "ariadne/core/random.h"
+#include "ariadne/models/endpoint_likelihood.h"
+
+namespace ariadne::models {
+
+/// Two gains temper the scan's log likelihood: one for the width of the proposal, one for the
+/// weight. A low first samples drift into every map; a high second leaves one hypothesis.
+struct Gains {
+  double proposal = 2;
+  double weight = 0.05;
+};
+
+/// p(x | x', u) as a Gaussian: mean (map frame) and covariance of (x, y, heading).
+struct PosePrior {
+  mrpt::math::TPose2D mean;
+  Eigen::Matrix3d covariance;
+};
+
+struct PoseGaussian {
+  mrpt::math::TPose2D mean;    ///< map frame
+  Eigen::Matrix3d covariance;  ///< of (x, y, heading)
+  double log_weight = 0;       ///< log of the integral of likelihood^weight_gain times prior
+  double log_likelihood = 0;   ///< untempered, at the mean
+
+  mrpt::math::TPose2D sample(core::RandomStream& rng) const;
+};
+
+/// @param mode pose that maximises likelihood times prior, from the scan matcher.
+PoseGaussian fitProposal(const EndpointLikelihood& likelihood, const grid::OccupancyGrid& map,
+                         const std::vector<mrpt::math::TPoint2D>& points,
+                         const mrpt::math::TPose2D& mode, const PosePrior& prior,
+                         const Gains& gains);
+
+}  // namespace ariadne::models

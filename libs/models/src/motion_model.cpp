@@ -1,0 +1,57 @@
+#include "ariadne/models/motion_model.h"
+
+#include <mrpt/core/bits_math.h>
+#include <mrpt/math/wrap2pi.h>
+
+#include <cmath>
+
+namespace ariadne::models {
+
+using mrpt::math::TPose2D;
+
+TPose2D relativePose(const TPose2D& a, const TPose2D& b) {
+  const double c = std::cos(a.phi);
+  const double s = std::sin(a.phi);
+  const double dx = b.x - a.x;
+  const double dy = b.y - a.y;
+  return {c * dx + s * dy, -s * dx + c * dy, mrpt::math::wrapToPi(b.phi - a.phi)};
+}
+
+TPose2D compose(const TPose2D& a, const TPose2D& b) {
+  const double c = std::cos(a.phi);
+  const double s = std::sin(a.phi);
+  return {a.x + c * b.x - s * b.y, a.y + s * b.x + c * b.y, mrpt::math::wrapToPi(a.phi + b.phi)};
+}
+
+Motion::Motion(const TPose2D& before_from_after, const MotionParams& p)
+    : increment_(before_from_after) {
+  const double travel = std::hypot(increment_.x, increment_.y);
+  const double turn = std::abs(increment_.phi);
+  if (travel > 0) direction_ = std::atan2(increment_.y, increment_.x);
+  const double along = std::hypot(p.travel_per_m * travel, p.travel_per_turn_m * turn);
+  const double turning =
+      std::hypot(p.turn_per_turn * turn, mrpt::DEG2RAD(p.turn_per_m_deg) * std::sqrt(travel));
+  sigma_ = {
+      std::hypot(along, p.travel_floor_m),
+      std::hypot(std::hypot(p.side_per_m * travel, p.travel_per_turn_m * turn), p.travel_floor_m),
+      std::hypot(turning, mrpt::DEG2RAD(p.turn_floor_deg))};
+}
+
+TPose2D Motion::sample(const TPose2D& before, core::RandomStream& rng) const {
+  const double along = sigma_[0] * rng.gaussian();
+  const double across = sigma_[1] * rng.gaussian();
+  const double turn = sigma_[2] * rng.gaussian();
+  const double c = std::cos(direction_);
+  const double s = std::sin(direction_);
+  return compose(before, {increment_.x + c * along - s * across,
+                          increment_.y + s * along + c * across, increment_.phi + turn});
+}
+
+Eigen::Matrix3d Motion::covariance(const TPose2D& before) const {
+  const double angle = before.phi + direction_;
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  rotation.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(angle).toRotationMatrix();
+  return rotation * sigma_.cwiseAbs2().asDiagonal() * rotation.transpose();
+}
+
+}  // namespace ariadne::models

@@ -1,0 +1,82 @@
+#include "ariadne/models/proposal.h"
+
+#include <mrpt/core/bits_math.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ariadne/models/motion_model.h"
+
+namespace ariadne::models {
+namespace {
+
+using mrpt::math::TPose2D;
+
+TPose2D moved(const TPose2D& pose, const Eigen::Vector3d& by) {
+  return compose({pose.x + by[0], pose.y + by[1], pose.phi + by[2]}, {0, 0, 0});
+}
+
+/// Steps of the finite differences: a cell, and what moves a beam of 6 m by one.
+const Eigen::Vector3d kSteps(0.05, 0.05, mrpt::DEG2RAD(0.5));
+
+/// -d^2 f at `mode`, made positive semidefinite: a ridge tells nothing along itself.
+template <class F>
+Eigen::Matrix3d curvature(const F& f, double at_mode) {
+  Eigen::Vector3d up;
+  Eigen::Vector3d down;
+  Eigen::Matrix3d h;
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Vector3d step = Eigen::Vector3d::Unit(i) * kSteps[i];
+    up[i] = f(step);
+    down[i] = f(-step);
+    h(i, i) = (2 * at_mode - up[i] - down[i]) / (kSteps[i] * kSteps[i]);
+  }
+  for (int i = 0; i < 3; ++i)
+    for (int j = i + 1; j < 3; ++j) {
+      const Eigen::Vector3d step =
+          Eigen::Vector3d::Unit(i) * kSteps[i] + Eigen::Vector3d::Unit(j) * kSteps[j];
+      const double cross = f(step) + f(-step) - up[i] - down[i] - up[j] - down[j] + 2 * at_mode;
+      h(i, j) = h(j, i) = -cross / (2 * kSteps[i] * kSteps[j]);
+    }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(h);
+  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() *
+         eigen.eigenvectors().transpose();
+}
+
+}  // namespace
+
+TPose2D PoseGaussian::sample(core::RandomStream& rng) const {
+  const double a = rng.gaussian();
+  const double b = rng.gaussian();
+  const double c = rng.gaussian();
+  const Eigen::Matrix3d root = covariance.llt().matrixL();
+  return moved(mean, root * Eigen::Vector3d(a, b, c));
+}
+
+PoseGaussian fitProposal(const EndpointLikelihood& likelihood, const grid::OccupancyGrid& map,
+                         const std::vector<mrpt::math::TPoint2D>& points, const TPose2D& mode,
+                         const PosePrior& prior, const Gains& gains) {
+  PoseGaussian fit;
+  fit.mean = mode;
+  fit.log_likelihood = likelihood(map, points, mode);
+  const Eigen::Matrix3d h =
+      curvature([&](const Eigen::Vector3d& by) { return likelihood(map, points, moved(mode, by)); },
+                fit.log_likelihood);
+
+  const Eigen::Matrix3d prior_information = prior.covariance.inverse();
+  fit.covariance = (prior_information + gains.proposal * h).inverse();
+
+  // With log likelihood l(y) = l + g y - y H y / 2 about the mode (y = x - mode) the integral of
+  // exp(weight_gain l(y)) N(y; -d, Q) is a Gaussian's; g = Q^-1 d / proposal_gain at the maximum.
+  const Eigen::Vector3d d(mode.x - prior.mean.x, mode.y - prior.mean.y,
+                          std::remainder(mode.phi - prior.mean.phi, 2 * M_PI));
+  const Eigen::Vector3d pull = prior_information * d;
+  const Eigen::Matrix3d m = prior_information + gains.weight * h;
+  const Eigen::Vector3d b = (gains.weight / gains.proposal - 1) * pull;
+  fit.log_weight = gains.weight * fit.log_likelihood - 0.5 * d.dot(pull) +
+                   0.5 * b.dot(m.inverse() * b) -
+                   0.5 * std::log((prior.covariance * m).determinant());
+  return fit;
+}
+
+}  // namespace ariadne::models

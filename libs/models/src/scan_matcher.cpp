@@ -1,0 +1,168 @@
+#include "ariadne/models/scan_matcher.h"
+
+#include <mrpt/core/bits_math.h>
+
+#include <cmath>
+
+#include "ariadne/grid/field_sampler.h"
+#include "ariadne/models/endpoint_likelihood.h"
+#include "ariadne/models/motion_model.h"
+
+namespace ariadne::models {
+namespace {
+
+using mrpt::math::TPoint2D;
+using mrpt::math::TPose2D;
+
+Eigen::Vector3d difference(const TPose2D& a, const TPose2D& b) {
+  return {a.x - b.x, a.y - b.y, std::remainder(a.phi - b.phi, 2 * M_PI)};
+}
+
+TPose2D moved(const TPose2D& pose, const Eigen::Vector3d& by) {
+  return {pose.x + by[0], pose.y + by[1], pose.phi + by[2]};
+}
+
+}  // namespace
+
+struct ScanMatcher::Problem {
+  const grid::OccupancyGrid& map;
+  const std::vector<TPoint2D>& points;
+  TPose2D predicted;
+  Eigen::Matrix3d information;  // inverse of the prior's covariance
+  double beam_weight;           // of one squared residual (1 - field)^2 against the prior
+
+  double priorCost(const TPose2D& pose) const {
+    const Eigen::Vector3d d = difference(pose, predicted);
+    return 0.5 * d.dot(information * d);
+  }
+};
+
+struct ScanMatcher::Candidate {
+  TPose2D pose;
+  double cost = 0;   // beams and prior; lower is better
+  double score = 0;  // mean field
+  Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+};
+
+namespace {
+
+/// Cost with first and second (Gauss-Newton) derivatives at a pose.
+template <class Candidate, class Problem>
+Candidate linearised(const Problem& problem, const TPose2D& pose) {
+  Candidate out;
+  out.pose = pose;
+  grid::FieldSampler field(problem.map);
+  const double c = std::cos(pose.phi);
+  const double s = std::sin(pose.phi);
+  double squares = 0;
+  double h00 = 0, h01 = 0, h02 = 0, h11 = 0, h12 = 0, h22 = 0, g0 = 0, g1 = 0, g2 = 0;
+  for (const TPoint2D& p : problem.points) {
+    const double rx = c * p.x - s * p.y;
+    const double ry = s * p.x + c * p.y;
+    const grid::FieldSample f = field.sample(pose.x + rx, pose.y + ry);
+    const double residual = 1 - f.value;
+    squares += residual * residual;
+    out.score += f.value;
+    const double turn = -f.dx * ry + f.dy * rx;
+    h00 += f.dx * f.dx;
+    h01 += f.dx * f.dy;
+    h02 += f.dx * turn;
+    h11 += f.dy * f.dy;
+    h12 += f.dy * turn;
+    h22 += turn * turn;
+    g0 -= f.dx * residual;
+    g1 -= f.dy * residual;
+    g2 -= turn * residual;
+  }
+  const double w = problem.beam_weight;
+  out.score /= static_cast<double>(problem.points.size());
+  out.hessian << h00, h01, h02, h01, h11, h12, h02, h12, h22;
+  out.hessian = w * out.hessian + problem.information;
+  const Eigen::Vector3d d = difference(pose, problem.predicted);
+  out.gradient = w * Eigen::Vector3d(g0, g1, g2) + problem.information * d;
+  out.cost = 0.5 * w * squares + problem.priorCost(pose);
+  return out;
+}
+
+/// Mean field of every `stride`-th beam: quick and rough, for the search.
+double roughScore(const grid::OccupancyGrid& map, const std::vector<TPoint2D>& rotated,
+                  const TPoint2D& at) {
+  grid::FieldSampler field(map);
+  double sum = 0;
+  for (const TPoint2D& p : rotated) sum += field.value(at.x + p.x, at.y + p.y);
+  return sum / (255.0 * static_cast<double>(rotated.size()));
+}
+
+}  // namespace
+
+ScanMatcher::Candidate ScanMatcher::climb(const Problem& problem, Candidate at) const {
+  for (int i = 0; i < params_.max_iterations; ++i) {
+    Eigen::Vector3d step = -at.hessian.ldlt().solve(at.gradient);
+    // The field is linear over a cell or two at the most.
+    const double longest = std::max({std::abs(step[0]) / 0.1, std::abs(step[1]) / 0.1,
+                                     std::abs(step[2]) / mrpt::DEG2RAD(3.0), 1.0});
+    step /= longest;
+    bool better = false;
+    for (int halvings = 0; halvings < 3 && !better; ++halvings, step *= 0.35) {
+      Candidate next = linearised<Candidate>(problem, moved(at.pose, step));
+      better = next.cost < at.cost;
+      if (better) at = std::move(next);
+    }
+    if (!better || (step.head<2>().norm() < 5e-4 && std::abs(step[2]) < 1e-4)) break;
+  }
+  return at;
+}
+
+ScanMatcher::Candidate ScanMatcher::search(const Problem& problem, const Candidate& from) const {
+  std::vector<TPoint2D> rotated;
+  TPose2D best_pose = from.pose;
+  double best = -1e300;
+  const double turn_step = mrpt::DEG2RAD(2.0);
+  const double move_step = 0.1;
+  const int turns =
+      static_cast<int>(std::floor(mrpt::DEG2RAD(params_.search_angle_deg) / turn_step));
+  const int moves = static_cast<int>(std::floor(params_.search_distance_m / move_step));
+  const std::size_t stride = std::max<std::size_t>(1, problem.points.size() / 60);
+  for (int k = -turns; k <= turns; ++k) {
+    const double heading = problem.predicted.phi + k * turn_step;
+    const double c = std::cos(heading);
+    const double s = std::sin(heading);
+    rotated.clear();
+    for (std::size_t i = 0; i < problem.points.size(); i += stride) {
+      const TPoint2D& p = problem.points[i];
+      rotated.push_back({c * p.x - s * p.y, s * p.x + c * p.y});
+    }
+    for (int dx = -moves; dx <= moves; ++dx)
+      for (int dy = -moves; dy <= moves; ++dy) {
+        const TPose2D pose{problem.predicted.x + dx * move_step,
+                           problem.predicted.y + dy * move_step, heading};
+        const double value = problem.beam_weight * static_cast<double>(problem.points.size()) *
+                                 roughScore(problem.map, rotated, {pose.x, pose.y}) -
+                             problem.priorCost(pose);
+        if (value > best) {
+          best = value;
+          best_pose = pose;
+        }
+      }
+  }
+  return climb(problem, linearised<Candidate>(problem, best_pose));
+}
+
+Match ScanMatcher::operator()(const grid::OccupancyGrid& map, const std::vector<TPoint2D>& points,
+                              const TPose2D& predicted, const Eigen::Matrix3d& prior) const {
+  if (points.empty()) return {predicted, false, 0};
+  const Problem problem{map, points, predicted, prior.inverse(),
+                        gain_ * kNominalBeams / static_cast<double>(points.size())};
+  const Candidate start = linearised<Candidate>(problem, predicted);
+  Candidate best = climb(problem, start);
+  if (best.score < params_.search_below) {
+    const Candidate found = search(problem, best);
+    if (found.cost < best.cost) best = found;
+  }
+  const bool accepted = best.cost < start.cost && best.score > start.score;
+  const Candidate& chosen = accepted ? best : start;
+  return {compose(chosen.pose, {0, 0, 0}), accepted, chosen.score};
+}
+
+}  // namespace ariadne::models
