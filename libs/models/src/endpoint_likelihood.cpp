@@ -9,6 +9,13 @@ namespace ariadne::models {
 using mrpt::math::TPoint2D;
 using mrpt::math::TPose2D;
 
+std::vector<TPoint2D> thinned(const std::vector<TPoint2D>& points, std::size_t count) {
+  if (points.size() <= count) return points;
+  std::vector<TPoint2D> out(count);
+  for (std::size_t i = 0; i < count; ++i) out[i] = points[i * points.size() / count];
+  return out;
+}
+
 EndpointLikelihood::EndpointLikelihood(const MatcherParams& params, double field_sigma_m) {
   // field = 255 exp(-d^2 / 2 f^2), so exp(-d^2 / 2 sigma^2) = (field / 255)^(f^2 / sigma^2).
   const double exponent = std::pow(field_sigma_m / params.hit_sigma_m, 2);

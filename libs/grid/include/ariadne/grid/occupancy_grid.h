@@ -15,7 +15,7 @@ namespace ariadne::grid {
 class OccupancyGrid {
  public:
   /// Throws core::UsageError when a parameter is out of bounds.
-  explicit OccupancyGrid(const GridParams& params);
+  explicit OccupancyGrid(const GridParams& params = {});
 
   double resolution() const { return resolution_; }
   /// Corner of cell (0, 0), m; an imported map may lie off the multiples of the resolution.

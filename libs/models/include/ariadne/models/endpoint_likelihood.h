@@ -17,6 +17,10 @@ namespace ariadne::models {
 /// Scans count as if they had this many beams, however many they have; gains are per that.
 constexpr double kNominalBeams = 180;
 
+/// At most `count` of the points, evenly spaced, in their order.
+std::vector<mrpt::math::TPoint2D> thinned(const std::vector<mrpt::math::TPoint2D>& points,
+                                          std::size_t count);
+
 class EndpointLikelihood {
  public:
   EndpointLikelihood(const MatcherParams& params, double field_sigma_m);

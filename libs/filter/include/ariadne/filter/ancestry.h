@@ -1,0 +1,51 @@
+// The tree of ancestors: one immutable node a filter update and particle, shared by all who descend
+// from it, freed when nobody does. Walking up from a particle gives its trajectory.
+#pragma once
+#include <mrpt/math/TPose2D.h>
+
+#include <cstddef>
+#include <memory>
+
+namespace ariadne::filter {
+
+class Ancestor;
+using AncestorPtr = std::shared_ptr<const Ancestor>;
+
+class Ancestor {
+ public:
+  /// @param parent null at the root
+  /// @param log_weight increment of the log weight in this step, as it entered Eq. (8)
+  Ancestor(AncestorPtr parent, std::size_t step, const mrpt::math::TPose2D& map_from_robot,
+           double log_weight)
+      : parent_(std::move(parent)),
+        step_(step),
+        map_from_robot_(map_from_robot),
+        log_weight_(log_weight) {}
+  ~Ancestor();
+  Ancestor(const Ancestor&) = delete;
+  Ancestor& operator=(const Ancestor&) = delete;
+
+  const AncestorPtr& parent() const { return parent_; }
+  std::size_t step() const { return step_; }
+  const mrpt::math::TPose2D& pose() const { return map_from_robot_; }
+  double logWeight() const { return log_weight_; }
+
+ private:
+  mutable AncestorPtr parent_;  // let go one by one by the destructor
+  std::size_t step_;
+  mrpt::math::TPose2D map_from_robot_;
+  double log_weight_;
+};
+
+/// Calls f(node) from `leaf` to the root until f returns false.
+template <class F>
+void forEachAncestor(const AncestorPtr& leaf, F&& f) {
+  for (const Ancestor* a = leaf.get(); a && f(*a); a = a->parent().get()) {
+  }
+}
+
+/// How often the line of `leaf` passed within radius_m of its last pose before the present visit:
+/// separate runs of nodes inside the circle, the one that `leaf` is in not counted.
+std::size_t earlierPasses(const AncestorPtr& leaf, double radius_m);
+
+}  // namespace ariadne::filter

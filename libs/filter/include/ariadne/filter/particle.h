@@ -1,0 +1,28 @@
+// What one hypothesis is: a trajectory (its line of ancestors), its own map, its accumulated
+// weight.
+#pragma once
+#include <memory>
+
+#include "ariadne/filter/ancestry.h"
+#include "ariadne/grid/occupancy_grid.h"
+
+namespace ariadne::filter {
+
+/// A particle's map as of a past update, and the ones before it. Copy-on-write: it costs the tiles
+/// that changed since.
+struct Checkpoint {
+  std::size_t step = 0;
+  grid::OccupancyGrid map;
+  std::shared_ptr<const Checkpoint> earlier;
+};
+
+/// Copying one shares everything.
+struct Particle {
+  mrpt::math::TPose2D map_from_robot;
+  grid::OccupancyGrid map;
+  AncestorPtr ancestor;
+  double accumulated = 0;  ///< a of Eq. (8): sum of log weight increments along the line
+  std::shared_ptr<const Checkpoint> checkpoints;  ///< latest first
+};
+
+}  // namespace ariadne::filter

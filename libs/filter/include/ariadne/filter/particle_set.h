@@ -1,0 +1,96 @@
+// The particle set, as mrpt::bayes::CParticleFilter drives it: predict, match and weigh behind
+// MRPT's prediction_and_update, resampling behind performSubstitution.
+#pragma once
+#include <mrpt/bayes/CParticleFilterCapable.h>
+#include <mrpt/bayes/CParticleFilterData.h>
+
+#include <vector>
+
+#include "ariadne/core/parallel.h"
+#include "ariadne/filter/params.h"
+#include "ariadne/filter/particle.h"
+#include "ariadne/models/endpoint_likelihood.h"
+#include "ariadne/models/motion_model.h"
+#include "ariadne/models/proposal.h"
+#include "ariadne/models/scan_matcher.h"
+
+namespace ariadne::filter {
+
+/// Everything about particles that does not change during a run.
+struct FilterModels {
+  FilterParams filter;
+  models::MotionParams motion;
+  models::MatcherParams matcher;
+  grid::GridParams grid;
+};
+
+/// MRPT's options for our parameters; CParticleFilter reads them.
+mrpt::bayes::CParticleFilter::TParticleFilterOptions particleFilterOptions(const FilterParams& p);
+
+class ParticleSet
+    : public mrpt::bayes::CParticleFilterData<Particle, mrpt::bayes::particle_storage_mode::VALUE>,
+      public mrpt::bayes::CParticleFilterDataImpl<
+          ParticleSet, mrpt::bayes::CParticleFilterData<
+                           Particle, mrpt::bayes::particle_storage_mode::VALUE>::CParticleList> {
+ public:
+  /// All particles at `start` with an empty map. `parallel` must outlive the set.
+  ParticleSet(const FilterModels& models, const core::Parallel& parallel,
+              const mrpt::math::TPose2D& start);
+
+  std::size_t size() const { return m_particles.size(); }
+  const Particle& operator[](std::size_t i) const { return m_particles[i].d; }
+  /// s* of Eq. (8): the largest accumulated weight, ties to the lowest index.
+  std::size_t best() const;
+  /// Normalised weights, summing to 1.
+  std::vector<double> weights() const;
+
+  /// Number of the update that runs next; keys the random streams.
+  std::size_t step() const { return step_; }
+  /// Inserts the scan of the last update into every particle's map (children of one parent share
+  /// the work) and ends the update. A checkpoint is kept each `checkpoint_updates`.
+  void insertScan(std::size_t checkpoint_updates);
+
+  /// Figures of the update in progress.
+  struct Figures {
+    std::size_t matches_accepted = 0;
+    double log_likelihood = 0;  ///< mean by weight, untempered
+    double evidence = 1;        ///< factor on this step's log weights for revisits
+    bool resampled = false;
+  };
+  const Figures& figures() const { return figures_; }
+
+  // mrpt::bayes::CParticleFilterCapable
+  void performSubstitution(const std::vector<size_t>& indices) override;
+
+ protected:
+  void prediction_and_update_pfStandardProposal(
+      const mrpt::obs::CActionCollection* action, const mrpt::obs::CSensoryFrame* observation,
+      const mrpt::bayes::CParticleFilter::TParticleFilterOptions& options) override;
+  void prediction_and_update_pfOptimalProposal(
+      const mrpt::obs::CActionCollection* action, const mrpt::obs::CSensoryFrame* observation,
+      const mrpt::bayes::CParticleFilter::TParticleFilterOptions& options) override;
+
+ private:
+  struct Outcome {
+    mrpt::math::TPose2D pose;
+    double log_weight = 0;
+    double log_likelihood = 0;
+    bool match_accepted = false;
+  };
+  void predictMatchWeigh(const mrpt::obs::CActionCollection* action,
+                         const mrpt::obs::CSensoryFrame* observation);
+  Outcome propose(std::size_t i, const models::Motion& motion) const;
+  double evidenceOfPlace() const;
+
+  FilterModels models_;
+  const core::Parallel& parallel_;
+  models::EndpointLikelihood likelihood_;
+  models::ScanMatcher matcher_;
+  std::size_t step_ = 0;
+  Figures figures_;
+  std::vector<mrpt::math::TPoint2D> points_;  // of the update in progress, robot's frame
+  grid::ScanShape shape_;
+  std::vector<std::size_t> twin_;  // lowest index with the same parent in this update
+};
+
+}  // namespace ariadne::filter

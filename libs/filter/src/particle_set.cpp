@@ -1,0 +1,187 @@
+#include "ariadne/filter/particle_set.h"
+
+#include <mrpt/obs/CActionCollection.h>
+#include <mrpt/obs/CActionRobotMovement2D.h>
+#include <mrpt/obs/CSensoryFrame.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace ariadne::filter {
+
+using mrpt::bayes::CParticleFilter;
+
+CParticleFilter::TParticleFilterOptions particleFilterOptions(const FilterParams& p) {
+  CParticleFilter::TParticleFilterOptions options;
+  options.adaptiveSampleSize = false;
+  options.BETA = p.beta;
+  options.sampleSize = static_cast<unsigned>(p.particles);
+  options.powFactor = p.weight_gain;
+  options.PF_algorithm = p.proposal == Proposal::odometry ? CParticleFilter::pfStandardProposal
+                                                          : CParticleFilter::pfOptimalProposal;
+  switch (p.resampling) {
+    case Resampling::multinomial:
+      options.resamplingMethod = CParticleFilter::prMultinomial;
+      break;
+    case Resampling::residual:
+      options.resamplingMethod = CParticleFilter::prResidual;
+      break;
+    case Resampling::stratified:
+      options.resamplingMethod = CParticleFilter::prStratified;
+      break;
+    case Resampling::systematic:
+      options.resamplingMethod = CParticleFilter::prSystematic;
+      break;
+  }
+  return options;
+}
+
+ParticleSet::ParticleSet(const FilterModels& models, const core::Parallel& parallel,
+                         const mrpt::math::TPose2D& start)
+    : models_(models),
+      parallel_(parallel),
+      likelihood_(models.matcher, models.grid.field_sigma_m),
+      matcher_(models.matcher, models.filter.proposal_gain) {
+  CParticleData first;
+  first.log_w = 0;
+  first.d.map_from_robot = start;
+  first.d.map = grid::OccupancyGrid(models.grid);
+  m_particles.assign(static_cast<std::size_t>(models.filter.particles), first);
+}
+
+std::size_t ParticleSet::best() const {
+  const auto it = std::max_element(
+      m_particles.begin(), m_particles.end(),
+      [](const auto& a, const auto& b) { return a.d.accumulated < b.d.accumulated; });
+  return static_cast<std::size_t>(it - m_particles.begin());
+}
+
+std::vector<double> ParticleSet::weights() const {
+  std::vector<double> logs;
+  for (const auto& p : m_particles) logs.push_back(p.log_w);
+  std::vector<double> weights;
+  log2linearWeights(logs, weights);
+  return weights;
+}
+
+void ParticleSet::prediction_and_update_pfStandardProposal(
+    const mrpt::obs::CActionCollection* action, const mrpt::obs::CSensoryFrame* observation,
+    const CParticleFilter::TParticleFilterOptions&) {
+  predictMatchWeigh(action, observation);
+}
+
+void ParticleSet::prediction_and_update_pfOptimalProposal(
+    const mrpt::obs::CActionCollection* action, const mrpt::obs::CSensoryFrame* observation,
+    const CParticleFilter::TParticleFilterOptions&) {
+  predictMatchWeigh(action, observation);
+}
+
+double ParticleSet::evidenceOfPlace() const {
+  const FilterParams& p = models_.filter;
+  if (p.revisit_exponent == 0) return 1;
+  const std::size_t passes = earlierPasses((*this)[best()].ancestor, p.revisit_radius_m);
+  return std::pow(static_cast<double>(std::max<std::size_t>(passes, 1)), -p.revisit_exponent);
+}
+
+void ParticleSet::predictMatchWeigh(const mrpt::obs::CActionCollection* action,
+                                    const mrpt::obs::CSensoryFrame* observation) {
+  ASSERT_(action && observation);
+  const auto scan = observation->getObservationByClass<mrpt::obs::CObservation2DRangeScan>();
+  const auto movement = action->getActionByClass<mrpt::obs::CActionRobotMovement2D>();
+  ASSERT_(scan && movement);
+  const models::Motion motion(movement->poseChange->getMeanVal().asTPose(), models_.motion);
+  points_ = models::thinned(grid::scanPoints(*scan, models_.grid.insert_range_m),
+                            static_cast<std::size_t>(models_.matcher.max_beams));
+  shape_ = grid::makeScanShape(*scan, models_.grid);
+  figures_ = {};
+  figures_.evidence = evidenceOfPlace();
+
+  std::vector<Outcome> outcomes(size());
+  parallel_.forEach(size(), [&](std::size_t i) { outcomes[i] = propose(i, motion); });
+
+  for (std::size_t i = 0; i < size(); ++i) {
+    const double increment = figures_.evidence * outcomes[i].log_weight;
+    Particle& particle = m_particles[i].d;
+    m_particles[i].log_w += increment;
+    particle.accumulated += increment;
+    particle.map_from_robot = outcomes[i].pose;
+    particle.ancestor = std::make_shared<Ancestor>(std::move(particle.ancestor), step_,
+                                                   outcomes[i].pose, increment);
+    figures_.matches_accepted += outcomes[i].match_accepted;
+  }
+  const std::vector<double> w = weights();
+  for (std::size_t i = 0; i < size(); ++i)
+    figures_.log_likelihood += w[i] * outcomes[i].log_likelihood;
+  twin_.resize(size());
+  std::iota(twin_.begin(), twin_.end(), 0);
+}
+
+ParticleSet::Outcome ParticleSet::propose(std::size_t i, const models::Motion& motion) const {
+  const Particle& particle = (*this)[i];
+  const FilterParams& p = models_.filter;
+  const auto stream = [&](core::Purpose purpose) {
+    return core::RandomStream(p.seed, static_cast<std::uint32_t>(step_),
+                              static_cast<std::uint32_t>(i), purpose);
+  };
+  Outcome out;
+  const models::PosePrior prior{motion.mean(particle.map_from_robot),
+                                motion.covariance(particle.map_from_robot)};
+  if (step_ == 0) {  // nothing to match against
+    out.pose = prior.mean;
+    return out;
+  }
+  if (p.proposal == Proposal::odometry) {
+    auto rng = stream(core::Purpose::motion);
+    out.pose = motion.sample(particle.map_from_robot, rng);
+    out.log_likelihood = likelihood_(particle.map, points_, out.pose);
+    out.log_weight = p.weight_gain * out.log_likelihood;
+    return out;
+  }
+  const models::Match match = matcher_(particle.map, points_, prior.mean, prior.covariance);
+  out.match_accepted = match.accepted;
+  if (p.proposal == Proposal::scan_match) {
+    out.pose = match.map_from_robot;
+    out.log_likelihood = likelihood_(particle.map, points_, out.pose);
+    out.log_weight = p.weight_gain * out.log_likelihood;
+    return out;
+  }
+  const models::PoseGaussian fit =
+      models::fitProposal(likelihood_, particle.map, points_, match.map_from_robot, prior,
+                          {p.proposal_gain, p.weight_gain});
+  auto rng = stream(core::Purpose::proposal);
+  out.pose = fit.sample(rng);
+  out.log_likelihood = fit.log_likelihood;
+  out.log_weight = fit.log_weight;
+  return out;
+}
+
+void ParticleSet::performSubstitution(const std::vector<size_t>& indices) {
+  CParticleList next;
+  std::vector<std::size_t> first_child(size(), indices.size());
+  twin_.clear();
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    next.push_back(m_particles[indices[i]]);
+    next.back().log_w = 0;  // MRPT's performResampling leaves them when the count stays the same
+    first_child[indices[i]] = std::min(first_child[indices[i]], i);
+    twin_.push_back(first_child[indices[i]]);
+  }
+  m_particles = std::move(next);
+  figures_.resampled = true;
+}
+
+void ParticleSet::insertScan(std::size_t checkpoint_updates) {
+  const bool keep = step_ % checkpoint_updates == 0;
+  // Children of one parent are still the same hypothesis: its map is changed once, then shared.
+  parallel_.forEach(size(), [&](std::size_t i) {
+    if (twin_[i] != i) return;
+    Particle& p = m_particles[i].d;
+    p.map.insert(shape_, p.map_from_robot);
+    if (keep) p.checkpoints = std::make_shared<Checkpoint>(Checkpoint{step_, p.map, p.checkpoints});
+  });
+  for (std::size_t i = 0; i < size(); ++i)
+    if (twin_[i] != i) m_particles[i].d = m_particles[twin_[i]].d;
+  ++step_;
+}
+
+}  // namespace ariadne::filter

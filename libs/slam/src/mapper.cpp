@@ -1,0 +1,163 @@
+#include "ariadne/slam/mapper.h"
+
+#include <mrpt/bayes/CParticleFilter.h>
+#include <mrpt/core/bits_math.h>
+#include <mrpt/obs/CActionCollection.h>
+#include <mrpt/obs/CActionRobotMovement2D.h>
+#include <mrpt/obs/CSensoryFrame.h>
+#include <mrpt/poses/CPose3DPDFGaussian.h>
+#include <mrpt/poses/CPosePDFGaussian.h>
+#include <mrpt/random/RandomGenerators.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "ariadne/core/parallel.h"
+#include "ariadne/core/random.h"
+#include "ariadne/filter/particle_set.h"
+#include "ariadne/grid/conversion.h"
+#include "ariadne/slam/pose_path.h"
+
+namespace ariadne::slam {
+namespace {
+
+using mrpt::math::TPose2D;
+
+const SlamParams& validated(const SlamParams& params) {
+  forEachSection(params,
+                 [](const char* section, const auto& p) { core::validateFields(p, section); });
+  return params;
+}
+
+filter::FilterModels modelsOf(const SlamParams& p) {
+  return {p.filter, p.motion, p.matcher, p.grid};
+}
+
+/// Adds the seconds of its life to `sum`.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& sum) : sum_(sum), start_(Clock::now()) {}
+  ~Stopwatch() { sum_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double& sum_;
+  Clock::time_point start_;
+};
+
+mrpt::obs::CActionCollection actionOf(const TPose2D& increment) {
+  mrpt::obs::CActionRobotMovement2D movement;
+  movement.poseChange.get_ptr() =
+      mrpt::poses::CPosePDFGaussian::Create(mrpt::poses::CPose2D(increment));
+  mrpt::obs::CActionCollection actions;
+  actions.insert(movement);
+  return actions;
+}
+
+/// MRPT draws resampling indices from its global generator: the one place where it is seeded.
+void seedMrpt(std::uint64_t seed, std::size_t step) {
+  core::RandomStream stream(seed, static_cast<std::uint32_t>(step), 0, core::Purpose::resampling);
+  mrpt::random::getRandomGenerator().randomize(stream.bits());
+}
+
+}  // namespace
+
+struct Mapper::Impl {
+  Impl(const SlamParams& p, int threads)
+      : params(validated(p)), parallel(threads), particles(modelsOf(params), parallel, {0, 0, 0}) {
+    particle_filter.m_options = filter::particleFilterOptions(params.filter);
+  }
+
+  bool due(const models::SensorStep& step) const {
+    if (!step.scan) return false;
+    if (scans.empty()) return true;
+    const TPose2D moved = models::relativePose(last_update_odom, step.odom_from_robot);
+    return std::hypot(moved.x, moved.y) >= params.update.update_distance_m ||
+           std::abs(moved.phi) >= mrpt::DEG2RAD(params.update.update_angle_deg);
+  }
+
+  StepReport update(const models::SensorStep& step);
+
+  SlamParams params;
+  core::Parallel parallel;
+  filter::ParticleSet particles;
+  mrpt::bayes::CParticleFilter particle_filter;
+  TPose2D last_update_odom;
+  std::vector<OdometryRecord> records;
+  std::vector<mrpt::obs::CObservation2DRangeScan::Ptr> scans;  // one an update
+  StageTimes times;
+};
+
+StepReport Mapper::Impl::update(const models::SensorStep& step) {
+  const TPose2D increment =
+      scans.empty() ? TPose2D() : models::relativePose(last_update_odom, step.odom_from_robot);
+  const auto action = actionOf(increment);
+  mrpt::obs::CSensoryFrame observation;
+  observation.insert(step.scan);
+
+  StepReport report;
+  report.step = particles.step();
+  report.time_s = step.time_s;
+  seedMrpt(params.filter.seed, particles.step());
+  mrpt::bayes::CParticleFilter::TParticleFilterStats stats;
+  {
+    Stopwatch watch(times.predict_s);
+    particle_filter.executeOn(particles, &action, &observation, &stats);
+  }
+  report.particles = particles.size();
+  // Eq. (10); MRPT's ESS is Neff / N.
+  report.neff = stats.ESS_beforeResample * static_cast<double>(report.particles);
+  report.resampled = particles.figures().resampled;
+  report.matches_accepted = particles.figures().matches_accepted;
+  report.log_likelihood = particles.figures().log_likelihood;
+  {
+    Stopwatch watch(times.insert_s);
+    particles.insertScan(static_cast<std::size_t>(params.update.checkpoint_updates));
+  }
+  report.best = particles.best();
+  report.map_from_robot = particles[report.best].map_from_robot;
+  last_update_odom = step.odom_from_robot;
+  scans.push_back(step.scan);
+  return report;
+}
+
+Mapper::Mapper(const SlamParams& params, int threads)
+    : impl_(std::make_unique<Impl>(params, threads)) {}
+Mapper::~Mapper() = default;
+
+std::optional<StepReport> Mapper::process(const models::SensorStep& step) {
+  const bool due = impl_->due(step);
+  std::optional<StepReport> report;
+  if (due) report = impl_->update(step);
+  impl_->records.push_back({step.time_s, step.odom_from_robot, impl_->scans.size(), due});
+  return report;
+}
+
+mrpt::maps::COccupancyGridMap2D Mapper::map() const {
+  return grid::toMrpt(impl_->particles[impl_->particles.best()].map);
+}
+
+models::Trajectory Mapper::path() const {
+  return posePath(impl_->records, impl_->particles[impl_->particles.best()].ancestor);
+}
+
+mrpt::maps::CSimpleMap Mapper::simpleMap() const {
+  std::vector<TPose2D> poses(impl_->scans.size());
+  forEachAncestor(impl_->particles[impl_->particles.best()].ancestor,
+                  [&](const filter::Ancestor& a) {
+                    poses[a.step()] = a.pose();
+                    return true;
+                  });
+  mrpt::maps::CSimpleMap map;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    auto frame = mrpt::obs::CSensoryFrame::Create();
+    frame->insert(impl_->scans[i]);
+    map.insert(mrpt::poses::CPose3DPDFGaussian::Create(mrpt::poses::CPose3D(poses[i])), frame);
+  }
+  return map;
+}
+
+StageTimes Mapper::times() const { return impl_->times; }
+std::size_t Mapper::updates() const { return impl_->scans.size(); }
+
+}  // namespace ariadne::slam

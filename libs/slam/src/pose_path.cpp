@@ -1,0 +1,67 @@
+#include "ariadne/slam/pose_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ariadne/models/motion_model.h"
+
+namespace ariadne::slam {
+namespace {
+
+using mrpt::math::TPose2D;
+
+double distance(const TPose2D& a, const TPose2D& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+TPose2D blend(const TPose2D& a, const TPose2D& b, double share) {
+  const double turn = std::remainder(b.phi - a.phi, 2 * M_PI);
+  return models::compose(
+      {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.phi + share * turn}, {0, 0, 0});
+}
+
+/// Odometry and pose of one filter update.
+struct Anchor {
+  TPose2D odom;
+  TPose2D pose;
+  TPose2D follow(const TPose2D& to) const {
+    return models::compose(pose, models::relativePose(odom, to));
+  }
+};
+
+std::vector<Anchor> anchorsOf(const std::vector<OdometryRecord>& records,
+                              const filter::AncestorPtr& leaf) {
+  std::vector<Anchor> anchors;
+  for (const OdometryRecord& r : records)
+    if (r.is_update) anchors.push_back({r.odom_from_robot, {}});
+  forEachAncestor(leaf, [&](const filter::Ancestor& a) {
+    if (a.step() < anchors.size()) anchors[a.step()].pose = a.pose();
+    return true;
+  });
+  return anchors;
+}
+
+}  // namespace
+
+models::Trajectory posePath(const std::vector<OdometryRecord>& records,
+                            const filter::AncestorPtr& leaf) {
+  const std::vector<Anchor> anchors = anchorsOf(records, leaf);
+  models::Trajectory path;
+  path.reserve(records.size());
+  for (const OdometryRecord& r : records) {
+    TPose2D pose = r.odom_from_robot;
+    if (!anchors.empty()) {
+      const Anchor& before = anchors[r.updates == 0 ? 0 : r.updates - 1];
+      pose = before.follow(r.odom_from_robot);
+      if (r.updates > 0 && r.updates < anchors.size() && !r.is_update) {
+        const Anchor& after = anchors[r.updates];
+        const double done = distance(before.odom, r.odom_from_robot);
+        const double left = distance(r.odom_from_robot, after.odom);
+        const double share = done + left > 0 ? done / (done + left) : 0;
+        pose = blend(pose, after.follow(r.odom_from_robot), share);
+      }
+    }
+    path.push_back({r.time_s, pose});
+  }
+  return path;
+}
+
+}  // namespace ariadne::slam
