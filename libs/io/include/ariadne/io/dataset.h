@@ -1,0 +1,71 @@
+// Datasets as a stream of steps: MRPT rawlogs (action-observation or observations only) and CARMEN
+// logs, gzip or not, told apart by their content. Memory is bounded whatever the file's size or
+// whatever its headers claim; everything but 2D lasers and odometry is dropped as it comes.
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ariadne/models/sensor_step.h"
+
+namespace ariadne::io {
+
+struct DatasetOptions {
+  /// The laser to use: a rawlog's sensorLabel; FLASER, RLASER, ROBOTLASER1, ... in a CARMEN log.
+  /// Empty: the only one. (FLASER repeats ROBOTLASER1 where a log has both: the latter is used.)
+  std::string laser_label;
+};
+
+/// What was met so far, final after the last step.
+struct DatasetCounts {
+  std::size_t steps = 0;  ///< given out, each with a scan
+  std::size_t beams = 0;  ///< in these; those that are not valid are counted by cause:
+  std::size_t beams_no_return = 0;
+  std::size_t beams_out_of_range = 0;  ///< called valid in the file, yet beyond the maximum range
+  std::size_t beams_nan = 0;
+  std::size_t beams_zero = 0;
+  std::size_t beams_negative = 0;
+  std::size_t beams_flagged = 0;  ///< called invalid in the file, range within reach
+
+  std::size_t scans_backwards = 0;     ///< skipped: stamp before the scan's before (or out of line)
+  std::size_t scans_not_planar = 0;    ///< skipped: laser tilted by more than 5 degrees
+  std::size_t scans_malformed = 0;     ///< skipped: fewer than 2 beams, impossible angles or pose
+  std::size_t scans_other_lasers = 0;  ///< skipped: another label
+  std::size_t scans_without_stamp = 0;  ///< used, with the time of the scan before
+  std::size_t odometry_backwards = 0;   ///< readings skipped, as scans_backwards
+  std::size_t odometry_malformed = 0;   ///< skipped: not finite or over 100 m in a step
+  std::size_t odometry_ignored = 0;     ///< of another kind or label than the first
+  std::size_t odometry_gaps = 0;  ///< scans over 1 s away from a reading; the nearest pose is used
+  std::size_t lines_malformed = 0;  ///< of a text log, skipped
+};
+
+/// Steps in order of time (equal stamps are fine). Contract for the scans: `maxRange` is positive;
+/// a beam is valid exactly when 0 < range < maxRange; a beam without return is invalid and has
+/// range >= maxRange; any other bad beam (NaN, zero, negative, flagged) is invalid with range 0.
+/// The laser is planar (perhaps upside down): sensorPose says where it is on the robot.
+/// odom_from_robot is where the odometry has the robot at the scan's time: increments added up
+/// from the origin, or readings interpolated, or, in CARMEN logs, the robot's pose on the line.
+class StepSource {
+ public:
+  virtual ~StepSource() = default;
+  /// The next step, nullopt at the end of the file or at the damage where it ends early.
+  virtual std::optional<models::SensorStep> next() = 0;
+  /// How much of the file was read, 0 to 1.
+  virtual double fraction() const = 0;
+  virtual const DatasetCounts& counts() const = 0;
+  /// Counted, one line a kind; final after the last step.
+  virtual std::vector<std::string> warnings() const = 0;
+  /// Label of the laser whose scans these are.
+  virtual const std::string& laserLabel() const = 0;
+};
+
+/// Opens a dataset and reads far enough to know that it can be mapped. Throws core::Error naming
+/// the file when it cannot: unreadable, empty, of another kind, without laser, without odometry,
+/// with several lasers and no label (the message lists the labels), damaged before the first step.
+std::unique_ptr<StepSource> openDataset(const std::filesystem::path& path,
+                                        const DatasetOptions& options = {});
+
+}  // namespace ariadne::io

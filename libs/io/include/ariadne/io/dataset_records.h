@@ -1,0 +1,59 @@
+// What a log holds, record by record and as it stands in the file: the layer below StepSource, for
+// programs that describe a log instead of mapping it.
+#pragma once
+#include <mrpt/math/TPose2D.h>
+#include <mrpt/obs/CObservation2DRangeScan.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace ariadne::io {
+
+/// A motion since the increment before (CActionRobotMovement2D): m, rad, in the robot's frame.
+struct OdometryIncrement {
+  mrpt::math::TPose2D robot_from_next;
+};
+
+/// A reading of cumulative odometry (CObservationOdometry).
+struct OdometryReading {
+  std::optional<double> time_s;
+  mrpt::math::TPose2D odom_from_robot;
+  std::string label;
+};
+
+/// A scan as the file has it, unchecked; `odom_from_robot` where it is on the same line (CARMEN).
+struct LaserRecord {
+  mrpt::obs::CObservation2DRangeScan::Ptr scan;
+  std::optional<double> time_s;
+  std::optional<mrpt::math::TPose2D> odom_from_robot;
+};
+
+using LogRecord = std::variant<OdometryIncrement, OdometryReading, LaserRecord>;
+
+class RecordSource {
+ public:
+  virtual ~RecordSource() = default;
+  /// The next record; nullopt at the end or at the damage.
+  virtual std::optional<LogRecord> next() = 0;
+  virtual double fraction() const = 0;
+  /// How often each class (rawlog) or line type (CARMEN) was met so far.
+  virtual const std::map<std::string, std::size_t>& classes() const = 0;
+  /// Where and how the file is broken; empty while it is not.
+  virtual const std::string& damage() const = 0;
+  virtual std::size_t malformedLines() const = 0;
+  /// "MRPT rawlog" or "CARMEN log".
+  virtual const char* format() const = 0;
+  /// What was noticed that is neither damage nor counted elsewhere.
+  virtual const std::vector<std::string>& remarks() const = 0;
+};
+
+/// Throws core::Error naming the file when it is unreadable, empty or neither of the two.
+std::unique_ptr<RecordSource> openRecords(const std::filesystem::path& path);
+
+}  // namespace ariadne::io

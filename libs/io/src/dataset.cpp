@@ -1,0 +1,167 @@
+#include "ariadne/io/dataset.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <deque>
+#include <map>
+
+#include "ariadne/core/error.h"
+#include "ariadne/io/dataset_records.h"
+#include "carmen_records.h"
+#include "dataset_warnings.h"
+#include "odometry_track.h"
+#include "rawlog_records.h"
+#include "scan_check.h"
+
+namespace ariadne::io {
+namespace {
+
+// Scans read before the first is given out: lasers take turns, so all labels are among them.
+constexpr std::size_t kLookahead = 200;
+constexpr std::size_t kMostWithoutOdometry = 1000;
+constexpr const char* kNoLabel = "(none)";
+
+class Steps : public StepSource {
+ public:
+  Steps(const std::filesystem::path& path, const DatasetOptions& options)
+      : path_(path), records_(openRecords(path)), wanted_(options.laser_label), track_(counts_) {
+    if (wanted_ && wanted_->empty()) wanted_.reset();
+    const bool any = !wanted_;
+    if (wanted_ == kNoLabel) wanted_ = "";
+    while (ready_.size() < kLookahead && readRecord())
+      if (!track_.hasOdometry() && track_.waiting() > kMostWithoutOdometry) break;
+    if (any && labels_.size() > 1)
+      throw failure(fmt::format("several lasers: {}; choose one by its label", listLabels()));
+    if (ready_.empty()) throw failure(whyNothing());
+  }
+
+  std::optional<models::SensorStep> next() override {
+    while (ready_.empty())
+      if (!readRecord()) return std::nullopt;
+    models::SensorStep step = std::move(ready_.front());
+    ready_.pop_front();
+    checkBeams(*step.scan, counts_);
+    ++counts_.steps;
+    return step;
+  }
+  double fraction() const override { return records_->fraction(); }
+  const DatasetCounts& counts() const override { return counts_; }
+  const std::string& laserLabel() const override { return *wanted_; }
+  std::vector<std::string> warnings() const override { return datasetWarnings(counts_, *records_); }
+
+ private:
+  core::Error failure(const std::string& why) const {
+    return core::Error(fmt::format("{}: {}", path_.string(), why));
+  }
+
+  /// Takes one record in; false when there is none left.
+  bool readRecord() {
+    if (ended_) return false;
+    const auto record = records_->next();
+    if (record) {
+      std::visit([this](const auto& r) { take(r); }, *record);
+    } else {
+      ended_ = true;
+      gate_.finish();
+    }
+    while (auto passed = gate_.pop()) track_.add(std::move(passed->second));
+    if (ended_) track_.finish();
+    while (auto step = track_.pop()) ready_.push_back(std::move(*step));
+    counts_.scans_backwards = gate_.rejected();
+    counts_.lines_malformed = records_->malformedLines();
+    return record.has_value() || !ready_.empty();
+  }
+
+  void take(const OdometryIncrement& increment) { track_.add(increment); }
+  void take(const OdometryReading& reading) { track_.add(reading); }
+  void take(const LaserRecord& laser) {
+    auto& scan = *laser.scan;
+    ++labels_[scan.sensorLabel];
+    if (!wanted_) wanted_ = scan.sensorLabel;
+    if (scan.sensorLabel != *wanted_) {
+      ++counts_.scans_other_lasers;
+    } else if (!repairGeometry(scan)) {
+      ++counts_.scans_malformed;
+    } else if (!isPlanar(scan)) {
+      ++counts_.scans_not_planar;
+    } else {
+      models::SensorStep step;
+      if (!track_.poseOfScan(laser.odom_from_robot, step.odom_from_robot)) return;
+      if (!laser.time_s) ++counts_.scans_without_stamp;
+      last_time_s_ = step.time_s = laser.time_s.value_or(last_time_s_);
+      using mrpt::Clock;
+      scan.timestamp = Clock::time_point(Clock::duration(ticksOfSeconds(step.time_s)));
+      step.scan = laser.scan;
+      gate_.push(step.time_s, std::move(step));
+    }
+  }
+
+  std::string listLabels() const {
+    std::vector<std::string> list;
+    for (const auto& [label, count] : labels_)
+      list.push_back(fmt::format("{} ({} scans)", label.empty() ? kNoLabel : label, count));
+    return fmt::format("{}", fmt::join(list, ", "));
+  }
+
+  std::string whyNothing() const {
+    std::vector<std::string> found;
+    for (const auto& [name, count] : records_->classes())
+      if (found.size() < 12) found.push_back(fmt::format("{} {}", count, name));
+    const std::string contents =
+        found.empty() ? "nothing" : fmt::format("{}", fmt::join(found, ", "));
+    const auto notes = warnings();
+    const std::string details = notes.empty() ? "" : fmt::format(" [{}]", fmt::join(notes, "; "));
+    if (labels_.empty())
+      return fmt::format("no 2D laser scan in this {} (found: {}){}", records_->format(), contents,
+                         details);
+    if (labels_.count(*wanted_) == 0)
+      return fmt::format("no laser is called '{}'; there is {}", *wanted_, listLabels());
+    if (!track_.hasOdometry() && track_.waiting() > 0)
+      return fmt::format("no odometry in this {} (found: {}){}", records_->format(), contents,
+                         details);
+    return fmt::format("no usable scan in this {}{}", records_->format(), details);
+  }
+
+  std::filesystem::path path_;
+  std::unique_ptr<RecordSource> records_;
+  std::optional<std::string> wanted_;
+  DatasetCounts counts_;
+  OdometryTrack track_;
+  TimeGate<models::SensorStep> gate_;
+  std::map<std::string, std::size_t> labels_;
+  std::deque<models::SensorStep> ready_;
+  double last_time_s_ = 0;
+  bool ended_ = false;
+};
+
+bool looksLikeText(std::string_view beginning) {
+  for (const char c : beginning) {
+    const auto u = static_cast<unsigned char>(c);
+    if (u < 32 && u != '\n' && u != '\r' && u != '\t') return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::unique_ptr<RecordSource> openRecords(const std::filesystem::path& path) {
+  auto file = std::make_unique<InputFile>(path);
+  const std::string_view beginning = file->peek(2048);
+  const auto failure = [&](const std::string& why) {
+    return core::Error(fmt::format("{}: {}", path.string(), why));
+  };
+  if (beginning.empty())
+    throw failure(file->trouble().empty() ? "the file is empty" : file->trouble());
+  if (looksLikeArchive(beginning)) return std::make_unique<RawlogRecords>(std::move(file));
+  if (!looksLikeText(beginning.substr(0, 2048)))
+    throw failure("neither an MRPT rawlog nor a CARMEN log");
+  return std::make_unique<CarmenRecords>(path);
+}
+
+std::unique_ptr<StepSource> openDataset(const std::filesystem::path& path,
+                                        const DatasetOptions& options) {
+  return std::make_unique<Steps>(path, options);
+}
+
+}  // namespace ariadne::io

@@ -1,0 +1,36 @@
+#include "dataset_warnings.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+namespace ariadne::io {
+
+std::vector<std::string> datasetWarnings(const DatasetCounts& counts, const RecordSource& records) {
+  std::vector<std::string> lines = records.remarks();
+  const std::array<std::pair<std::size_t, const char*>, 15> kinds = {{
+      {counts.lines_malformed, "malformed lines skipped"},
+      {counts.scans_backwards, "scans skipped: their stamps are out of order"},
+      {counts.scans_not_planar, "scans skipped: the laser is tilted by more than 5 degrees"},
+      {counts.scans_malformed, "scans skipped: beams, angles or sensor pose are impossible"},
+      {counts.scans_other_lasers, "scans of other lasers skipped"},
+      {counts.scans_without_stamp, "scans without a stamp take the time of the scan before"},
+      {counts.odometry_backwards, "odometry readings skipped: their stamps are out of order"},
+      {counts.odometry_malformed, "impossible odometry values skipped"},
+      {counts.odometry_ignored, "odometry records of another kind or label ignored"},
+      {counts.odometry_gaps, "scans are over 1 s away from an odometry reading"},
+      {counts.beams_nan, "beams are NaN"},
+      {counts.beams_negative, "beams are negative"},
+      {counts.beams_zero, "beams are zero"},
+      {counts.beams_out_of_range, "beams are called valid beyond the maximum range"},
+      {counts.beams_flagged, "beams within range are called invalid"},
+  }};
+  for (const auto& [count, text] : kinds)
+    if (count > 0) lines.push_back(fmt::format("{} {}", count, text));
+  if (!records.damage().empty())
+    lines.push_back(fmt::format("{}; what follows is lost", records.damage()));
+  return lines;
+}
+
+}  // namespace ariadne::io

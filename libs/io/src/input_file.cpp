@@ -1,0 +1,92 @@
+#include "input_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include "ariadne/core/error.h"
+
+namespace ariadne::io {
+namespace {
+
+// Damaged gzip loses the rest of the block that is being read, so blocks are small.
+constexpr std::size_t kBlock = 1 << 14;
+constexpr std::size_t kLongestLine = 1 << 20;
+
+core::Error failure(const std::filesystem::path& path, const std::string& why) {
+  return core::Error(fmt::format("cannot read {}: {}", path.string(), why));
+}
+
+}  // namespace
+
+InputFile::InputFile(const std::filesystem::path& path) : path_(path) {
+  std::error_code code;
+  if (std::filesystem::is_directory(path, code)) throw failure(path, "it is a directory");
+  packed_size_ = std::filesystem::file_size(path, code);
+  if (code) throw failure(path, code.message());
+  file_ = gzopen(path.c_str(), "rb");
+  if (file_ == nullptr) throw failure(path, std::strerror(errno));
+  gzbuffer(file_, 1 << 17);
+}
+
+InputFile::~InputFile() { gzclose(file_); }
+
+bool InputFile::more() {
+  if (at_end_) return false;
+  window_.erase(window_.begin(), window_.begin() + static_cast<std::ptrdiff_t>(begin_));
+  begin_ = 0;
+  const std::size_t old_size = window_.size();
+  window_.resize(old_size + kBlock);
+  const int got = gzread(file_, window_.data() + old_size, kBlock);
+  window_.resize(old_size + static_cast<std::size_t>(std::max(got, 0)));
+  end_offset_ += static_cast<std::uint64_t>(std::max(got, 0));
+  int code = Z_OK;
+  const char* text = gzerror(file_, &code);
+  if (code != Z_OK && code != Z_STREAM_END) {
+    trouble_ = code == Z_BUF_ERROR ? "the compressed data end early"
+               : code == Z_ERRNO   ? std::strerror(errno)
+                                   : fmt::format("the compressed data are damaged ({})", text);
+    at_end_ = true;
+  }
+  if (got <= 0) at_end_ = true;
+  return got > 0;
+}
+
+std::string_view InputFile::peek(std::size_t count) {
+  while (window_.size() - begin_ < count && more()) {
+  }
+  return {window_.data() + begin_, window_.size() - begin_};
+}
+
+bool InputFile::line(std::string_view& out, bool& too_long) {
+  std::size_t searched = 0;
+  too_long = false;
+  for (;;) {
+    const std::string_view here = peek(searched + 1);
+    const std::size_t end = here.find('\n', searched);
+    if (end != here.npos) {
+      out = here.substr(0, end);
+      skip(end + 1);
+      return true;
+    }
+    if (here.size() == searched) break;  // the end of the file
+    searched = here.size();
+    if (searched < kLongestLine) continue;
+    too_long = true;
+    skip(searched);
+    searched = 0;
+  }
+  out = peek(0).substr(0, searched);
+  skip(searched);
+  return searched > 0 || too_long;
+}
+
+double InputFile::fraction() const {
+  if (at_end_ && begin_ == window_.size()) return 1;
+  const double done = static_cast<double>(gzoffset(file_));
+  return packed_size_ == 0 ? 1 : std::clamp(done / static_cast<double>(packed_size_), 0.0, 1.0);
+}
+
+}  // namespace ariadne::io

@@ -1,0 +1,49 @@
+// A file, gzip or not, as a window that slides over its unpacked bytes.
+#pragma once
+#include <zlib.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ariadne::io {
+
+class InputFile {
+ public:
+  /// Throws core::Error when it cannot be opened or read at all.
+  explicit InputFile(const std::filesystem::path& path);
+  ~InputFile();
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+
+  /// At least `count` bytes from here on, fewer at the end of the file.
+  std::string_view peek(std::size_t count);
+  /// Goes on by `count` bytes that were peeked at.
+  void skip(std::size_t count) { begin_ += count; }
+  /// The next line without its end; false at the end of the file. Of a line that is longer than
+  /// 1 MiB only a piece is given, and `too_long` is set.
+  bool line(std::string_view& out, bool& too_long);
+
+  /// Unpacked bytes before this point.
+  std::uint64_t offset() const { return end_offset_ - (window_.size() - begin_); }
+  /// Share of the packed file that was read.
+  double fraction() const;
+  /// Why the bytes ended early (damaged compression, a failing disk); empty when they did not.
+  const std::string& trouble() const { return trouble_; }
+
+ private:
+  bool more();
+
+  std::filesystem::path path_;
+  std::uintmax_t packed_size_;
+  gzFile file_;
+  std::vector<char> window_;
+  std::size_t begin_ = 0;
+  std::uint64_t end_offset_ = 0;
+  bool at_end_ = false;
+  std::string trouble_;
+};
+
+}  // namespace ariadne::io
