@@ -43,9 +43,12 @@ std::optional<ParsedHeader> parseHeader(std::string_view bytes) {
   return header;
 }
 
-std::string_view withoutNamespace(std::string_view name) {
+/// Today's name of a class, without namespace.
+std::string_view className(std::string_view name) {
   const std::size_t colon = name.rfind(':');
-  return colon == name.npos ? name : name.substr(colon + 1);
+  if (colon != name.npos) name = name.substr(colon + 1);
+  if (name == "CSensorialFrame") return "CSensoryFrame";
+  return name == "CMatrix" ? "CMatrixF" : name;
 }
 
 bool isEntry(std::string_view name) {
@@ -67,7 +70,7 @@ std::optional<std::size_t> findEntry(std::string_view bytes, std::size_t from) {
         const std::size_t begin = at - space - lead;
         const auto header = parseHeader(bytes.substr(begin));
         if (header && header->old_format == (lead == 4) && header->name.size() > space &&
-            isEntry(withoutNamespace(header->name)))
+            isEntry(className(header->name)))
           return begin;
       }
   }
@@ -104,7 +107,7 @@ ObjectHeader ArchiveReader::header() {
     if (atEnd()) bytes(1);
     throw ArchiveDamage("no object where one should begin");
   }
-  ObjectHeader object{std::string(withoutNamespace(parsed->name)), parsed->old_format, 0};
+  ObjectHeader object{std::string(className(parsed->name)), parsed->old_format, 0};
   file_.skip(parsed->size);
   if (object.name == "nullptr") return object;
   object.version = object.old_format ? number<std::int32_t>() : number<std::uint8_t>();
@@ -127,7 +130,7 @@ void ArchiveReader::end(const ObjectHeader& object) {
 
 std::string ArchiveReader::nextClass() {
   const auto parsed = parseHeader(file_.peek(kLongestHeader));
-  return parsed ? std::string(withoutNamespace(parsed->name)) : "";
+  return parsed ? std::string(className(parsed->name)) : "";
 }
 
 void ArchiveReader::skipToNextEntry() {

@@ -18,7 +18,7 @@ struct ArchiveDamage : std::runtime_error {
 };
 
 struct ObjectHeader {
-  std::string name;         ///< without namespace
+  std::string name;         ///< today's, without namespace
   bool old_format = false;  ///< before MRPT 0.5.5: no end flag
   int version = 0;
 };

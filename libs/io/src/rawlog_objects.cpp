@@ -24,8 +24,7 @@ double real(ArchiveReader& in) {
 /// A matrix object of at most 16 x 16 numbers, row by row.
 template <class T>
 std::vector<double> readMatrix(ArchiveReader& in, const char* name) {
-  // CMatrixF was CMatrix once.
-  const ObjectHeader object = in.header(in.nextClass() == "CMatrix" ? "CMatrix" : name, 0);
+  const ObjectHeader object = in.header(name, 0);
   const auto rows = in.number<std::uint32_t>();
   const auto columns = in.number<std::uint32_t>();
   if (rows > 16 || columns > 16)

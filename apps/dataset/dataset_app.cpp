@@ -1,0 +1,126 @@
+#include "dataset_app.h"
+
+#include <CLI/CLI.hpp>
+#include <ostream>
+
+#include "ariadne/core/error.h"
+#include "commands.h"
+
+namespace ariadne {
+namespace {
+
+constexpr const char* kAbout =
+    "Looks into datasets of 2D laser and odometry, and converts them.\n"
+    "Reads MRPT rawlogs (both forms) and CARMEN logs, gzip or not, told apart by content.";
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  ariadne-dataset info run.rawlog\n"
+    "  ariadne-dataset info intel.clf.gz --json\n"
+    "  ariadne-dataset import intel.clf.gz intel.rawlog\n"
+    "  ariadne-dataset export run.rawlog run.log.gz\n"
+    "  ariadne-dataset noise corrected.log noisy.rawlog --rot-rot 0.1 --seed 7\n"
+    "Exit code: 0 fine, 1 the run failed, 2 wrong use.";
+
+constexpr const char* kNoiseFooter =
+    "Each odometry increment gets Gaussian noise with\n"
+    "  sigma of heading = rot-rot * |net turn| + rot-trans * distance\n"
+    "  sigma of x and y = trans-trans * distance + trans-rot * |net turn|\n"
+    "Writes OUT, a rawlog, and OUT.truth.tum, the poses of the robot before the noise.\n"
+    "Example: ariadne-dataset noise corrected.log noisy.rawlog --rot-trans 0.02 --seed 7";
+
+constexpr const char* kExportFooter =
+    "ODOM and ROBOTLASER1 lines lose least: start angle, resolution and maximum range are kept,\n"
+    "ranges with all digits. FLASER lines are for older programs and fit only 180 or 100 degrees\n"
+    "of a SICK. Lost either way: the laser's height and label.\n"
+    "Example: ariadne-dataset export run.rawlog run.log.gz";
+
+class CommandLine {
+ public:
+  CommandLine() : app_(kAbout, "ariadne-dataset") {
+    app_.footer(kExamples);
+    app_.set_version_flag("--version", ARIADNE_VERSION);
+    app_.require_subcommand(1);
+    CLI::App* info = add("info", "What is in a log, and whether it can be mapped", showInfo);
+    info->add_flag("--json", args_.json, "as JSON");
+    info->footer("Example: ariadne-dataset info run.rawlog --json");
+    CLI::App* to_rawlog = add("import", "Any log to a rawlog of actions and frames", importLog);
+    addOutput(to_rawlog, "rawlog to write");
+    to_rawlog->footer("Example: ariadne-dataset import intel.clf.gz intel.rawlog");
+    CLI::App* to_carmen = add("export", "Any log to a CARMEN log", exportLog);
+    addOutput(to_carmen, "CARMEN log to write, compressed if it ends in .gz");
+    to_carmen->add_flag_callback(
+        "--flaser", [this] { args_.carmen_laser = io::CarmenLaser::flaser; },
+        "FLASER lines instead of ROBOTLASER1");
+    to_carmen->footer(kExportFooter);
+    CLI::App* noise =
+        add("noise", "Noise for a log's odometry; the clean poses are kept", addNoise);
+    addOutput(noise, "rawlog to write");
+    noise->add_option("--rot-rot", args_.noise.rot_rot, "rad of heading per rad turned")
+        ->capture_default_str();
+    noise->add_option("--rot-trans", args_.noise.rot_trans, "rad of heading per m")
+        ->capture_default_str();
+    noise->add_option("--trans-trans", args_.noise.trans_trans, "m of place per m")
+        ->capture_default_str();
+    noise->add_option("--trans-rot", args_.noise.trans_rot, "m of place per rad turned")
+        ->capture_default_str();
+    noise->add_option("--seed", args_.seed, "same seed, same noise")->capture_default_str();
+    noise
+        ->add_option("--restamp", args_.restamp_s,
+                     "stamps this many seconds apart, for logs whose own are useless")
+        ->check(CLI::Range(1e-4, 1e4));
+    noise->footer(kNoiseFooter);
+  }
+
+  int run(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
+    try {
+      app_.parse(std::vector<std::string>(args.rbegin(), args.rend()));
+    } catch (const CLI::ParseError& e) {
+      if (e.get_exit_code() == 0) return app_.exit(e, out, err);
+      throw core::UsageError(std::string(e.what()) + " (see --help)");
+    }
+    command_(args_, out, err);
+    out.flush();
+    if (!out) throw core::Error("cannot write to the standard output");
+    return 0;
+  }
+
+ private:
+  using Command = void (*)(const DatasetArguments&, std::ostream&, std::ostream&);
+
+  CLI::App* add(const char* name, const char* about, Command command) {
+    CLI::App* sub = app_.add_subcommand(name, about);
+    sub->add_option("IN", args_.in, "log to read")->required();
+    sub->add_option("--laser", args_.laser, "label of the laser, where there are several");
+    sub->callback([this, command] { command_ = command; });
+    return sub;
+  }
+  void addOutput(CLI::App* sub, const char* about) {
+    sub->add_option("OUT", args_.out, about)->required();
+    sub->add_flag("-w,--overwrite", args_.overwrite, "replace what is there");
+  }
+
+  CLI::App app_;
+  DatasetArguments args_;
+  Command command_ = nullptr;
+};
+
+}  // namespace
+
+int runDatasetApp(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
+  const auto fail = [&](const char* message, int code) {
+    err << "ariadne-dataset: " << message << std::endl;
+    return code;
+  };
+  try {
+    return CommandLine().run(args, out, err);
+  } catch (const core::UsageError& e) {
+    return fail(e.what(), 2);
+  } catch (const std::bad_alloc&) {
+    return fail("out of memory", 1);
+  } catch (const std::exception& e) {
+    return fail(e.what(), 1);
+  }
+}
+
+}  // namespace ariadne

@@ -1,0 +1,13 @@
+// ariadne-dataset: what is in a log, and logs made into other logs.
+#pragma once
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace ariadne {
+
+/// The program without its process; `args` without the program's name. Returns the exit code:
+/// 0 fine, 1 the run failed, 2 wrong use.
+int runDatasetApp(const std::vector<std::string>& args, std::ostream& out, std::ostream& err);
+
+}  // namespace ariadne

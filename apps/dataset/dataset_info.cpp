@@ -1,0 +1,132 @@
+#include "dataset_info.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ariadne/core/error.h"
+#include "ariadne/io/dataset_records.h"
+
+namespace ariadne {
+namespace {
+
+constexpr double kDegrees = 180 / M_PI;
+constexpr double kTilt_deg = 5;
+
+void describe(LaserInfo& laser, const mrpt::obs::CObservation2DRangeScan& scan) {
+  const auto& pose = scan.sensorPose;
+  laser.field_of_view_deg = scan.aperture * kDegrees;
+  laser.max_range_m = scan.maxRange;
+  laser.x_m = pose.x();
+  laser.y_m = pose.y();
+  laser.z_m = pose.z();
+  laser.yaw_deg = pose.yaw() * kDegrees;
+  laser.pitch_deg = pose.pitch() * kDegrees;
+  laser.roll_deg = pose.roll() * kDegrees;
+  laser.planar = std::abs(pose.getRotationMatrix()(2, 2)) >= std::cos(kTilt_deg / kDegrees);
+  laser.fewest_beams = scan.getScanSize();
+}
+
+class Collector {
+ public:
+  explicit Collector(DatasetInfo& info) : info_(info) {}
+  void operator()(const io::OdometryIncrement&) { ++info_.increments; }
+  void operator()(const io::OdometryReading&) { ++info_.readings; }
+  void operator()(const io::LaserRecord& record) {
+    const auto& scan = *record.scan;
+    LaserInfo& laser = info_.lasers[scan.sensorLabel];
+    if (laser.scans++ == 0) describe(laser, scan);
+    laser.fewest_beams = std::min(laser.fewest_beams, scan.getScanSize());
+    laser.most_beams = std::max(laser.most_beams, scan.getScanSize());
+    if (record.odom_from_robot) ++info_.line_poses;
+    if (!record.time_s) return;
+    const double time_s = *record.time_s;
+    if (laser.stamps++ == 0) {
+      laser.first_s = laser.last_s = time_s;
+    } else if (time_s < laser.last_s) {
+      ++laser.stamps_backwards;
+    } else {
+      laser.longest_gap_s = std::max(laser.longest_gap_s, time_s - laser.last_s);
+      laser.last_s = time_s;
+    }
+  }
+
+ private:
+  DatasetInfo& info_;
+};
+
+void followSteps(DatasetInfo& info, io::StepSource& steps,
+                 const std::function<void(double)>& progress) {
+  std::optional<models::SensorStep> before;
+  double left = 0, right = 0, bottom = 0, top = 0;
+  while (auto step = steps.next()) {
+    const auto& pose = step->odom_from_robot;
+    if (before) {
+      const auto& last = before->odom_from_robot;
+      const double length = std::hypot(pose.x - last.x, pose.y - last.y);
+      info.path_length_m += length;
+      info.longest_step_m = std::max(info.longest_step_m, length);
+      info.turned_deg += std::abs(std::remainder(pose.phi - last.phi, 2 * M_PI)) * kDegrees;
+    } else {
+      info.begin_s = step->time_s;
+      left = right = pose.x;
+      bottom = top = pose.y;
+    }
+    info.duration_s = step->time_s - info.begin_s;
+    left = std::min(left, pose.x);
+    right = std::max(right, pose.x);
+    bottom = std::min(bottom, pose.y);
+    top = std::max(top, pose.y);
+    step->scan.reset();
+    before = std::move(step);
+    progress(0.5 + steps.fraction() / 2);
+  }
+  info.width_m = right - left;
+  info.height_m = top - bottom;
+  info.counts = steps.counts();
+  info.warnings = steps.warnings();
+}
+
+}  // namespace
+
+double LaserInfo::rate_hz() const {
+  const double span_s = last_s - first_s;
+  return stamps > 1 && span_s > 0 ? static_cast<double>(stamps - 1) / span_s : 0;
+}
+
+DatasetInfo collectInfo(const std::filesystem::path& path, const std::string& laser,
+                        const std::function<void(double)>& progress) {
+  DatasetInfo info;
+  info.path = path;
+  const auto records = io::openRecords(path);
+  info.format = records->format();
+  info.bytes = std::filesystem::file_size(path);
+  Collector collect(info);
+  while (const auto record = records->next()) {
+    std::visit(collect, *record);
+    progress(records->fraction() / 2);
+  }
+  info.classes = records->classes();
+  info.laser = laser;
+  if (laser.empty() && !info.lasers.empty()) info.laser = info.lasers.begin()->first;
+  try {
+    // An unlabelled laser among labelled ones has a name in options only.
+    const bool unlabelled = info.laser.empty() && info.lasers.size() > 1;
+    const auto steps = io::openDataset(path, {unlabelled ? "(none)" : info.laser});
+    followSteps(info, *steps, progress);
+    const auto& c = info.counts;
+    const std::size_t bad = c.beams_no_return + c.beams_out_of_range + c.beams_nan + c.beams_zero +
+                            c.beams_negative + c.beams_flagged;
+    if (c.steps < 2) info.why_not = "a single scan is no log";
+    if (bad == c.beams) info.why_not = "no beam has a valid range";
+  } catch (const core::Error& e) {
+    const std::string prefix = path.string() + ": ";
+    info.why_not = e.what();
+    if (info.why_not.rfind(prefix, 0) == 0) info.why_not.erase(0, prefix.size());
+  }
+  info.can_be_mapped = info.why_not.empty();
+  return info;
+}
+
+}  // namespace ariadne
