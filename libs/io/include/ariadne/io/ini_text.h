@@ -1,0 +1,66 @@
+// INI files as text: lines, sections, keys and raw values, with the place of each for error
+// messages.
+//
+// Own parser: SimpleIni (which MRPT's CConfigFile wraps) keeps no line numbers and merges repeated
+// keys and sections without a word, and strict checking needs both.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ariadne::io {
+
+/// `key = value` in a section; `where` is "file:12" or "--set", `value` has no comment.
+struct IniEntry {
+  std::string section;
+  std::string key;
+  std::string value;
+  std::string where;
+};
+
+struct IniSection {
+  std::string name;
+  std::string where;
+};
+
+struct IniDocument {
+  std::string name;  ///< what errors call the file
+  std::vector<IniSection> sections;
+  std::vector<IniEntry> entries;
+
+  /// Without regard to case, as MRPT looks sections up.
+  bool hasSection(std::string_view section) const;
+};
+
+/// How a file is read. Both take CRLF, a UTF-8 byte order mark, blanks anywhere, no final newline,
+/// and lines that are a comment (`;`, `#`, `//`).
+enum class IniDialect {
+  /// Ours: a comment after a value starts with a blank and `;`, `#` or `//`, a value may stand in
+  /// "double quotes"; a section or key that comes twice, a key before any section and a line that
+  /// is neither are errors.
+  strict,
+  /// As MRPT reads INIs: a comment after a value starts with a blank and `//`, names have no case,
+  /// the last value of a key counts, other lines are skipped.
+  mrpt,
+};
+
+/// Throws core::UsageError with file and line; also for NUL bytes and lines of more than 64 KB.
+IniDocument parseIni(std::string_view text, const std::string& name, IniDialect dialect);
+
+/// The text of a configuration file. Throws core::Error when it cannot be read and UsageError when
+/// it is larger than any (4 MB).
+std::string readIniText(const std::filesystem::path& path);
+
+/// `section.key=value` of the option --set. Throws core::UsageError.
+IniEntry parseSetting(const std::string& text);
+
+/// For messages: control bytes as \xNN, cut to a readable length.
+std::string printable(std::string_view text);
+
+/// The name with the least edit distance (case counts little); empty when there are none.
+std::string nearestName(std::string_view name, const std::vector<std::string>& known);
+
+bool equalIgnoringCase(std::string_view a, std::string_view b);
+
+}  // namespace ariadne::io
