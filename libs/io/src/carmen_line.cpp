@@ -134,6 +134,7 @@ std::optional<CarmenScan> parseCarmenScan(const Words& words, std::string& probl
   out.record.time_s = line.stamp();
   problem = line.problem();
   if (!problem.empty()) return std::nullopt;
+  if (out.record.time_s) scan.timestamp = clockOfSeconds(*out.record.time_s);
   return out;
 }
 

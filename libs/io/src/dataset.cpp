@@ -88,10 +88,11 @@ class Steps : public StepSource {
     } else {
       models::SensorStep step;
       if (!track_.poseOfScan(laser.odom_from_robot, step.odom_from_robot)) return;
-      if (!laser.time_s) ++counts_.scans_without_stamp;
       last_time_s_ = step.time_s = laser.time_s.value_or(last_time_s_);
-      using mrpt::Clock;
-      scan.timestamp = Clock::time_point(Clock::duration(ticksOfSeconds(step.time_s)));
+      if (!laser.time_s) {
+        ++counts_.scans_without_stamp;
+        scan.timestamp = clockOfSeconds(step.time_s);
+      }
       step.scan = laser.scan;
       gate_.push(step.time_s, std::move(step));
     }

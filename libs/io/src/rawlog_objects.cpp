@@ -151,10 +151,11 @@ std::optional<double> secondsOfTicks(std::int64_t ticks) {
   return static_cast<double>(time_s);
 }
 
-std::int64_t ticksOfSeconds(double time_s) {
+mrpt::Clock::time_point clockOfSeconds(double time_s) {
   const double whole = std::floor(time_s);
-  return kTicksTo1970 + static_cast<std::int64_t>(whole) * 10'000'000 +
-         std::llround((time_s - whole) * 1e7);
+  return mrpt::Clock::time_point(
+      mrpt::Clock::duration(kTicksTo1970 + static_cast<std::int64_t>(whole) * 10'000'000 +
+                            std::llround((time_s - whole) * 1e7)));
 }
 
 LaserRecord readScan(ArchiveReader& in, const ObjectHeader& object) {
@@ -177,7 +178,11 @@ LaserRecord readScan(ArchiveReader& in, const ObjectHeader& object) {
         i, valid != nullptr ? valid[i] != 0 : scan->getScanRange(i) < scan->maxRange);
   if (version >= 2) scan->stdError = in.number<float>();
   LaserRecord record;
-  if (version >= 3) record.time_s = secondsOfTicks(in.number<std::int64_t>());
+  if (version >= 3) {
+    const auto ticks = in.number<std::int64_t>();
+    record.time_s = secondsOfTicks(ticks);
+    scan->timestamp = mrpt::Clock::time_point(mrpt::Clock::duration(ticks));
+  }
   if (version >= 4) scan->beamAperture = in.number<float>();
   if (version >= 5) {
     scan->sensorLabel = in.text();

@@ -19,6 +19,6 @@ Movement readMovement(ArchiveReader& in, const ObjectHeader& object);
 /// what is thousands of years away.
 std::optional<double> secondsOfTicks(std::int64_t ticks);
 /// The other way, exact to the tick.
-std::int64_t ticksOfSeconds(double time_s);
+mrpt::Clock::time_point clockOfSeconds(double time_s);
 
 }  // namespace ariadne::io

@@ -61,7 +61,10 @@ std::optional<LogRecord> RawlogRecords::readEntry(bool in_frame) {
   std::optional<LogRecord> record;
   if (object.name == "CObservation2DRangeScan") {
     LaserRecord laser = readScan(archive_, object);
-    if (in_frame && frame_time_s_) laser.time_s = frame_time_s_;
+    if (in_frame && frame_time_s_) {
+      laser.time_s = frame_time_s_;
+      laser.scan->timestamp = clockOfSeconds(*frame_time_s_);
+    }
     record = std::move(laser);
   } else if (object.name == "CObservationOdometry") {
     record = readOdometry(archive_, object);
