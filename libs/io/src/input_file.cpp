@@ -42,16 +42,19 @@ bool InputFile::more() {
   const int got = gzread(file_, window_.data() + old_size, kBlock);
   window_.resize(old_size + static_cast<std::size_t>(std::max(got, 0)));
   end_offset_ += static_cast<std::uint64_t>(std::max(got, 0));
+  if (got > 0) return true;
+  // Only now: zlib reports an early end long before the last bytes are out.
+  at_end_ = true;
   int code = Z_OK;
   const char* text = gzerror(file_, &code);
-  if (code != Z_OK && code != Z_STREAM_END) {
-    trouble_ = code == Z_BUF_ERROR ? "the compressed data end early"
-               : code == Z_ERRNO   ? std::strerror(errno)
-                                   : fmt::format("the compressed data are damaged ({})", text);
-    at_end_ = true;
+  if (code == Z_BUF_ERROR) {
+    trouble_ = "the compressed data end early";
+  } else if (code == Z_ERRNO) {
+    trouble_ = std::strerror(errno);
+  } else if (code != Z_OK && code != Z_STREAM_END) {
+    trouble_ = fmt::format("the compressed data are damaged ({})", text);
   }
-  if (got <= 0) at_end_ = true;
-  return got > 0;
+  return false;
 }
 
 std::string_view InputFile::peek(std::size_t count) {
