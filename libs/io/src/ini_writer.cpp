@@ -30,4 +30,13 @@ std::string iniComment(const std::string& text) {
   return out;
 }
 
+std::string markdownText(const std::string& text) {
+  std::string out;
+  for (char c : text) {
+    if (c == '<' || c == '|') out += '\\';
+    out += c;
+  }
+  return out;
+}
+
 }  // namespace ariadne::io

@@ -16,6 +16,9 @@ std::string iniText(const std::string& value);
 /// "# " before each line of the text, wrapped to 100 columns.
 std::string iniComment(const std::string& text);
 
+/// Without what Markdown would take for markup: `<`, `|`.
+std::string markdownText(const std::string& text);
+
 /// One field as the writers see it.
 struct WrittenField {
   std::string key;
@@ -80,7 +83,8 @@ std::string writeMarkdown(const Config& config, const std::string& header) {
                        section);
     for (const WrittenField& f : fields)
       out += fmt::format("| `{}` | {} | {} | {} |\n", f.key,
-                         f.value.empty() ? "" : fmt::format("`{}`", f.value), f.takes, f.help);
+                         f.value.empty() ? "" : fmt::format("`{}`", f.value), f.takes,
+                         markdownText(f.help));
   });
   return out;
 }

@@ -1,0 +1,89 @@
+#include "config.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <cctype>
+#include <ctime>
+#include <filesystem>
+
+#include "ariadne/io/ini_fields.h"
+#include "ariadne/io/ini_text.h"
+#include "ariadne/io/stock_ini.h"
+
+namespace ariadne::slam_app {
+namespace {
+
+namespace fs = std::filesystem;
+
+ResolvedConfig fromStock(const std::string& text, const fs::path& file) {
+  const io::StockIni stock = io::readStockIni(text, file);
+  ResolvedConfig out;
+  out.config.slam = stock.params;
+  out.config.dataset.file = stock.rawlog_file;
+  out.config.run.out = stock.output_folder;
+  out.warnings = stock.warnings;
+  return out;
+}
+
+ResolvedConfig fromOwn(const std::string& text, const fs::path& file) {
+  ResolvedConfig out;
+  io::applyIni(out.config, io::parseIni(text, file.string(), io::IniDialect::strict));
+  std::string& dataset = out.config.dataset.file;
+  if (!dataset.empty()) dataset = (file.parent_path() / dataset).string();
+  return out;
+}
+
+ResolvedConfig fromFile(const fs::path& file) {
+  const std::string text = io::readIniText(file);
+  const auto lenient = io::parseIni(text, file.string(), io::IniDialect::mrpt);
+  return io::isStockIni(lenient) ? fromStock(text, file) : fromOwn(text, file);
+}
+
+/// The dedicated flags as entries, so that they are checked and explained like the INI's.
+std::vector<io::IniEntry> flagEntries(const Options& o) {
+  std::vector<io::IniEntry> entries;
+  if (o.particles) entries.push_back({"filter", "particles", *o.particles, "--particles"});
+  if (o.seed) entries.push_back({"filter", "seed", *o.seed, "--seed"});
+  if (o.threads) entries.push_back({"run", "threads", *o.threads, "--threads"});
+  if (o.out) entries.push_back({"run", "out", *o.out, "--out"});
+  if (o.no_pictures) entries.push_back({"run", "pictures", "false", "--no-pictures"});
+  if (!o.dataset.empty()) entries.push_back({"dataset", "file", o.dataset, "DATASET"});
+  return entries;
+}
+
+/// "intel" of "/data/intel.clf.gz"; what shells dislike becomes a hyphen.
+std::string shortName(const fs::path& dataset) {
+  std::string name = dataset.filename().string();
+  for (const char* end : {".gz", ".rawlog", ".clf", ".log", ".carmen"})
+    if (name.size() > std::string(end).size() && fs::path(name).extension() == end)
+      name = fs::path(name).stem().string();
+  for (char& c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '.' && c != '_') c = '-';
+  return name;
+}
+
+}  // namespace
+
+ResolvedConfig resolveConfig(const Options& options) {
+  ResolvedConfig resolved = fromFile(options.config_file);
+  for (const std::string& setting : options.settings)
+    io::setField(resolved.config, io::parseSetting(setting));
+  for (const io::IniEntry& entry : flagEntries(options)) io::setField(resolved.config, entry);
+  std::string& dataset = resolved.config.dataset.file;
+  if (!dataset.empty()) dataset = fs::absolute(dataset).lexically_normal().string();
+  return resolved;
+}
+
+std::string outputFolderOf(const SlamConfig& config) {
+  if (!config.run.out.empty()) return config.run.out;
+  const std::string base =
+      fmt::format("ariadne-{}-{:%Y%m%d-%H%M%S}", shortName(config.dataset.file),
+                  fmt::localtime(std::time(nullptr)));
+  std::string name = base;
+  std::error_code ignored;
+  for (int i = 2; fs::exists(name, ignored); ++i) name = fmt::format("{}-{}", base, i);
+  return name;
+}
+
+}  // namespace ariadne::slam_app

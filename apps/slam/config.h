@@ -1,0 +1,64 @@
+// All that can be configured of a run: the parameters of slam plus the sections [dataset], [run].
+#pragma once
+#include <string>
+#include <vector>
+
+#include "ariadne/slam/params.h"
+#include "options.h"
+
+namespace ariadne::slam_app {
+
+struct DatasetParams {
+  std::string file;
+  std::string laser_label;
+};
+
+template <class V>
+void visitFields(V& v, DatasetParams& p) {
+  v.text("file", p.file,
+         "log to map: MRPT rawlog or CARMEN log, gzip or not; a relative path starts at the INI's "
+         "folder, or at the current one on the command line");
+  v.text("laser_label", p.laser_label,
+         "laser to use, where the log has several (ariadne-dataset info lists them)");
+}
+
+struct RunParams {
+  int threads = 0;
+  std::string out;
+  bool pictures = true;
+};
+
+template <class V>
+void visitFields(V& v, RunParams& p) {
+  v.number("threads", p.threads, {0, 256}, "0 is one a core; the result is the same on any number");
+  v.text("out", p.out,
+         "folder to write to, from the current one; empty: ariadne-<dataset>-<date>-<time>");
+  v.flag("pictures", p.pictures, "write map.png and overview.png");
+}
+
+struct SlamConfig {
+  DatasetParams dataset;
+  RunParams run;
+  slam::SlamParams slam;
+};
+
+template <class Config, class F>
+void forEachSection(Config& config, F&& f) {
+  f("dataset", config.dataset);
+  f("run", config.run);
+  slam::forEachSection(config.slam, f);
+}
+
+struct ResolvedConfig {
+  SlamConfig config;  ///< checked; dataset.file is absolute, run.out may be empty
+  std::vector<std::string> warnings;
+};
+
+/// Defaults, then the INI (ours or stock), then --set in order, then the dedicated flags.
+/// Throws core::UsageError, or core::Error when the INI cannot be read.
+ResolvedConfig resolveConfig(const Options& options);
+
+/// run.out, or a new name from the dataset's and the time.
+std::string outputFolderOf(const SlamConfig& config);
+
+}  // namespace ariadne::slam_app

@@ -1,0 +1,25 @@
+// The run itself: every step of a dataset through the mapper.
+#pragma once
+#include <vector>
+
+#include "ariadne/io/dataset.h"
+#include "ariadne/models/stamped_pose.h"
+#include "ariadne/slam/mapper.h"
+#include "interrupt.h"
+#include "progress.h"
+
+namespace ariadne::slam_app {
+
+struct MappingRecord {
+  std::vector<slam::StepReport> reports;  ///< one a filter update
+  models::Trajectory odometry;            ///< odom_from_robot at every step
+  double reading_s = 0;                   ///< wall clock, within total_s
+  double total_s = 0;
+  int signal = 0;  ///< that stopped the run early, 0 if none
+};
+
+/// Maps until the steps end or a signal comes.
+MappingRecord mapSteps(io::StepSource& source, slam::Mapper& mapper, const Interrupt& interrupt,
+                       Progress& progress);
+
+}  // namespace ariadne::slam_app

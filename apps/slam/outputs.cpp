@@ -1,0 +1,159 @@
+#include "outputs.h"
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <chrono>
+#include <functional>
+#include <ostream>
+
+#include "ariadne/core/error.h"
+#include "ariadne/io/ini_writer.h"
+#include "ariadne/io/map_files.h"
+#include "ariadne/io/tum.h"
+#include "ariadne/io/whole_file.h"
+#include "ariadne/report/overview.h"
+#include "steps_csv.h"
+
+namespace ariadne::slam_app {
+namespace {
+
+namespace fs = std::filesystem;
+using Grid = mrpt::maps::COccupancyGridMap2D;
+
+/// All that a file may be made of.
+struct Material {
+  const slam::Mapper& mapper;
+  const RunResult& result;
+  const Grid& map;
+};
+
+struct Output {
+  std::vector<std::string> names;  ///< the first is given to `write`, which makes all of them
+  const char* purpose;
+  bool is_picture;
+  std::function<void(const fs::path& file, const Material& m)> write;
+};
+
+void writeConfig(const fs::path& file, const Material& m) {
+  const std::string header =
+      "As resolved for this run. Maps the same again: ariadne-slam config.ini --out OTHER";
+  io::writeWhole(file, io::writeIni(m.result.config, header));
+}
+
+void writePath(const fs::path& file, const Material& m) {
+  io::writeTum(file, m.result.path,
+               {"map_from_robot: path of the best particle, a pose at every scan; between filter "
+                "updates along the odometry",
+                "time_s x_m y_m z_m qx qy qz qw"});
+}
+
+void writeOdometry(const fs::path& file, const Material& m) {
+  io::writeTum(file, m.result.record.odometry,
+               {"odom_from_robot: the odometry as recorded, a pose at every scan",
+                "time_s x_m y_m z_m qx qy qz qw"});
+}
+
+/// In the order of writing: what could not be had again comes first, should the disk fill up.
+const std::vector<Output>& allOutputs() {
+  static const std::vector<Output> outputs = {
+      {{"trajectory.tum"}, "the robot's path in the map, a pose at every scan", false, writePath},
+      {{"odometry.tum"}, "the same by odometry alone", false, writeOdometry},
+      {{"steps.csv"},
+       "each filter update: Neff, resampling, matches, likelihood",
+       false,
+       [](const fs::path& file, const Material& m) {
+         io::writeWhole(file, stepsCsv(m.result.record.reports));
+       }},
+      {{"config.ini"}, "all parameters of this run, each explained", false, writeConfig},
+      {{"overview.png"},
+       "picture of the path on the map: look at this first",
+       true,
+       [](const fs::path& file, const Material& m) {
+         report::writeOverview(file, m.map, m.result.path);
+       }},
+      {{"map.png"},
+       "the map as a plain picture",
+       true,
+       [](const fs::path& file, const Material& m) { io::writeMapPng(file, m.map); }},
+      {{"map.pgm", "map.yaml"},
+       "the map for ROS map_server",
+       false,
+       [](const fs::path& file, const Material& m) { io::writeRosMap(file, m.map); }},
+      {{"map.gridmap.gz"},
+       "the map for MRPT (COccupancyGridMap2D)",
+       false,
+       [](const fs::path& file, const Material& m) { io::writeGridmap(file, m.map); }},
+      {{"map.simplemap"},
+       "scans and poses for MRPT (CSimpleMap)",
+       false,
+       [](const fs::path& file, const Material& m) {
+         io::writeSimplemap(file, m.mapper.simpleMap());
+       }},
+  };
+  return outputs;
+}
+
+constexpr const char* kSummary = "summary.json";
+
+std::vector<Output> outputsOf(const SlamConfig& config) {
+  std::vector<Output> chosen;
+  for (const Output& o : allOutputs())
+    if (config.run.pictures || !o.is_picture) chosen.push_back(o);
+  return chosen;
+}
+
+void checkNotEmpty(const Grid& map) {
+  // Cells are exactly 0 until a beam has touched them.
+  for (const auto cell : map.getRawMap())
+    if (cell != 0) return;
+  throw core::Error(
+      "the map is empty: no beam of any scan could be inserted (see the warnings above, and "
+      "[grid] insert_range_m)");
+}
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+std::vector<std::string> outputNames(const SlamConfig& config) {
+  std::vector<std::string> names;
+  for (const Output& o : outputsOf(config))
+    names.insert(names.end(), o.names.begin(), o.names.end());
+  names.emplace_back(kSummary);
+  return names;
+}
+
+void writeOutputs(const fs::path& folder, const slam::Mapper& mapper, const RunResult& result,
+                  std::ostream& out) {
+  const auto start = std::chrono::steady_clock::now();
+  const Grid map = mapper.map();
+  checkNotEmpty(map);
+  const Material material{mapper, result, map};
+  std::vector<std::string> written;
+  std::vector<std::string> problems;
+  const auto attempt = [&](const std::vector<std::string>& names, const char* purpose,
+                           const auto& write) {
+    try {
+      write();
+      written.insert(written.end(), names.begin(), names.end());
+      fmt::print(out, "  {:<18} {}\n", fmt::format("{}", fmt::join(names, ", ")), purpose);
+    } catch (const std::exception& e) {
+      problems.emplace_back(e.what());
+    }
+  };
+  fmt::print(out, "In {}:\n", folder.string());
+  for (const Output& o : outputsOf(result.config))
+    attempt(o.names, o.purpose, [&] { o.write(folder / o.names.front(), material); });
+  attempt({kSummary}, "figures, costs, versions and warnings of this run", [&] {
+    std::vector<std::string> files = written;
+    files.emplace_back(kSummary);
+    io::writeWhole(folder / kSummary, summaryJson(result, secondsSince(start), files));
+  });
+  if (!problems.empty())
+    throw core::Error(fmt::format("not all files are written: {}", fmt::join(problems, "; ")));
+}
+
+}  // namespace ariadne::slam_app

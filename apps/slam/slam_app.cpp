@@ -1,0 +1,110 @@
+#include "slam_app.h"
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+#include <unistd.h>
+
+#include <exception>
+#include <iostream>
+
+#include "ariadne/core/error.h"
+#include "ariadne/io/ini_writer.h"
+#include "ariadne/io/output_folder.h"
+#include "config.h"
+#include "mapping.h"
+#include "options.h"
+#include "outputs.h"
+#include "parameters_page.h"
+
+namespace ariadne {
+namespace {
+
+using namespace slam_app;
+
+ProgressStyle progressStyle(const Options& options, const std::ostream& err) {
+  if (options.quiet) return ProgressStyle::none;
+  const bool terminal = &err == &std::cerr && ::isatty(STDERR_FILENO) != 0;
+  return terminal ? ProgressStyle::terminal : ProgressStyle::lines;
+}
+
+void warn(std::ostream& err, const std::vector<std::string>& warnings) {
+  for (const std::string& w : warnings) fmt::print(err, "ariadne-slam: warning: {}\n", w);
+}
+
+void printResult(std::ostream& out, const RunResult& result) {
+  const MappingRecord& record = result.record;
+  fmt::print(out, "{} scans over {:.0f} m, {} filter updates, in {:.2f} s\n",
+             record.odometry.size(), lengthOf(result.path), record.reports.size(), record.total_s);
+}
+
+/// Maps and writes. Returns the exit code.
+int mapDataset(const Options& options, ResolvedConfig resolved, std::ostream& out,
+               std::ostream& err) {
+  SlamConfig& config = resolved.config;
+  if (config.dataset.file.empty())
+    throw core::UsageError("no dataset: name one behind CONFIG, or in the INI as [dataset] file");
+  config.run.out = std::filesystem::absolute(outputFolderOf(config)).lexically_normal().string();
+  warn(err, resolved.warnings);
+
+  const Interrupt interrupt;
+  const auto source = io::openDataset(config.dataset.file, {config.dataset.laser_label});
+  slam::Mapper mapper(config.slam, config.run.threads);
+  io::prepareOutputFolder(config.run.out, outputNames(config), options.overwrite);
+  Progress progress(err, progressStyle(options, err));
+  RunResult result;
+  result.record = mapSteps(*source, mapper, interrupt, progress);
+  if (mapper.updates() == 0)
+    throw core::Error(fmt::format(
+        "{}: {}: nothing to map", config.dataset.file,
+        result.record.signal != 0 ? "stopped before the first scan" : "no scan that can be used"));
+  warn(err, source->warnings());
+  if (result.record.signal != 0)
+    fmt::print(err, "ariadne-slam: stopped after {} scans ({:.0f} % of the log); writing these\n",
+               result.record.odometry.size(), 100 * source->fraction());
+  result.config = config;
+  result.stages = mapper.times();
+  result.path = mapper.path();
+  result.counts = source->counts();
+  result.laser_label = source->laserLabel();
+  result.warnings = resolved.warnings;
+  for (const std::string& w : source->warnings()) result.warnings.push_back(w);
+
+  std::ostream nowhere(nullptr);
+  std::ostream& told = options.quiet ? nowhere : out;
+  printResult(told, result);
+  writeOutputs(config.run.out, mapper, result, told);
+  return result.record.signal == 0 ? 0 : 128 + result.record.signal;
+}
+
+int run(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
+  const auto options = parseOptions(args, out);
+  if (!options) return 0;
+  if (options->print_parameters) {
+    out << parametersPage();
+    return 0;
+  }
+  ResolvedConfig resolved = resolveConfig(*options);
+  if (!options->print_config) return mapDataset(*options, std::move(resolved), out, err);
+  warn(err, resolved.warnings);
+  out << io::writeIni(resolved.config, "Configuration of ariadne-slam.");
+  return 0;
+}
+
+}  // namespace
+
+int runSlamApp(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
+  try {
+    return run(args, out, err);
+  } catch (const core::UsageError& e) {
+    fmt::print(err, "ariadne-slam: {}\n", e.what());
+    return 2;
+  } catch (const std::bad_alloc&) {
+    fmt::print(err, "ariadne-slam: out of memory: take fewer particles or a coarser grid\n");
+    return 1;
+  } catch (const std::exception& e) {
+    fmt::print(err, "ariadne-slam: {}\n", e.what());
+    return 1;
+  }
+}
+
+}  // namespace ariadne

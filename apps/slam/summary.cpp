@@ -1,0 +1,122 @@
+#include "summary.h"
+
+#include <mrpt/system/os.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "ariadne/core/parallel.h"
+#include "ariadne/io/ini_writer.h"
+
+namespace ariadne::slam_app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double seconds(const timeval& t) {
+  return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+}
+
+Json filterFigures(const std::vector<slam::StepReport>& reports) {
+  double neff_sum = 0;
+  double neff_min = reports.empty() ? 0 : reports.front().neff;
+  std::size_t resamplings = 0;
+  std::size_t accepted = 0;
+  std::size_t tried = 0;
+  for (const slam::StepReport& r : reports) {
+    neff_sum += r.neff;
+    neff_min = std::min(neff_min, r.neff);
+    resamplings += r.resampled ? 1 : 0;
+    if (r.step == 0) continue;  // the first scan has no map to be matched with
+    accepted += r.matches_accepted;
+    tried += r.particles;
+  }
+  const auto share = [](double a, double b) { return b > 0 ? a / b : 0; };
+  return {
+      {"updates", reports.size()},
+      {"resamplings", resamplings},
+      {"neff_mean", share(neff_sum, static_cast<double>(reports.size()))},
+      {"neff_min", neff_min},
+      {"matches_accepted_share", share(static_cast<double>(accepted), static_cast<double>(tried))}};
+}
+
+Json datasetFigures(const RunResult& r) {
+  const models::Trajectory& odometry = r.record.odometry;
+  const double duration_s = odometry.empty() ? 0 : odometry.back().time_s - odometry.front().time_s;
+  const io::DatasetCounts& c = r.counts;
+  return {{"file", r.config.dataset.file},
+          {"laser", r.laser_label},
+          {"scans", odometry.size()},
+          {"duration_s", duration_s},
+          {"odometry_length_m", lengthOf(odometry)},
+          {"beams", c.beams},
+          {"beams_no_return", c.beams_no_return},
+          {"beams_bad",
+           c.beams_out_of_range + c.beams_nan + c.beams_zero + c.beams_negative + c.beams_flagged}};
+}
+
+/// Wall clock by stage, CPU and memory of the process.
+Json costs(const RunResult& r, double writing_s) {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const double user_s = seconds(usage.ru_utime);
+  const double system_s = seconds(usage.ru_stime);
+  const double mapping_s = r.record.total_s;
+  return {{"wall_s",
+           {{"reading", r.record.reading_s},
+            {"predict_match_weigh", r.stages.predict_s},
+            {"resample", r.stages.resample_s},
+            {"insert", r.stages.insert_s},
+            {"reading_and_mapping", mapping_s},
+            {"writing", writing_s}}},
+          {"scans_per_s",
+           mapping_s > 0 ? static_cast<double>(r.record.odometry.size()) / mapping_s : 0},
+          {"cpu_user_s", user_s},
+          {"cpu_system_s", system_s},
+          {"cpu_s", user_s + system_s},
+          {"peak_memory_mb", static_cast<double>(usage.ru_maxrss) / 1024}};
+}
+
+/// All parameters as in config.ini; numbers as numbers.
+Json parameters(const SlamConfig& config) {
+  Json out;
+  io::forEachWrittenSection(config, [&](const char* section, const auto& fields) {
+    for (const io::WrittenField& f : fields) {
+      const Json value = Json::parse(f.value, nullptr, false);
+      out[section][f.key] = value.is_discarded() ? Json(f.value) : value;
+    }
+  });
+  return out;
+}
+
+}  // namespace
+
+double lengthOf(const models::Trajectory& path) {
+  double length = 0;
+  for (std::size_t i = 1; i < path.size(); ++i)
+    length += std::hypot(path[i].pose.x - path[i - 1].pose.x, path[i].pose.y - path[i - 1].pose.y);
+  return length;
+}
+
+std::string summaryJson(const RunResult& result, double writing_s,
+                        const std::vector<std::string>& files) {
+  const Json json = {
+      {"program", "ariadne-slam"},
+      {"versions", {{"ariadne", ARIADNE_VERSION}, {"mrpt", mrpt::system::MRPT_getVersion()}}},
+      {"complete", result.record.signal == 0},
+      {"seed", result.config.slam.filter.seed},
+      {"threads", core::Parallel(result.config.run.threads).threads()},
+      {"dataset", datasetFigures(result)},
+      {"filter", filterFigures(result.record.reports)},
+      {"path_length_m", lengthOf(result.path)},
+      {"costs", costs(result, writing_s)},
+      {"warnings", result.warnings},
+      {"files", files},
+      {"parameters", parameters(result.config)}};
+  // File names may be any bytes; JSON takes UTF-8 only.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace ariadne::slam_app

@@ -1,0 +1,294 @@
+#include <sys/resource.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "../io/temporary_folder.h"
+#include "ariadne/io/tum.h"
+#include "ariadne/io/whole_file.h"
+#include "mapping.h"
+#include "room_log.h"
+#include "slam_app.h"
+
+namespace fs = std::filesystem;
+using ariadne::io::readWhole;
+
+class SlamApp : public TemporaryFolder {
+ protected:
+  void SetUp() override {
+    TemporaryFolder::SetUp();
+    log = put("room.log", room_log::text(40));
+    ini = put("room.ini", "[filter]\nparticles = 4\n[grid]\nresolution_m = 0.1\n");
+  }
+
+  std::string put(const std::string& name, const std::string& content) {
+    ariadne::io::writeWhole(folder / name, content);
+    return (folder / name).string();
+  }
+
+  int run(const std::vector<std::string>& args) {
+    std::ostringstream out_stream;
+    std::ostringstream err_stream;
+    const int code = ariadne::runSlamApp(args, out_stream, err_stream);
+    out = out_stream.str();
+    err = err_stream.str();
+    return code;
+  }
+
+  int map(const std::string& name, std::vector<std::string> more = {}) {
+    more.insert(more.begin(), {ini, log, "--out", (folder / name).string()});
+    return run(more);
+  }
+
+  /// All that --print-config prints for these arguments behind the INI.
+  std::string resolved(std::vector<std::string> args) {
+    args.insert(args.begin(), ini);
+    args.emplace_back("--print-config");
+    EXPECT_EQ(run(args), 0) << err;
+    return out;
+  }
+
+  std::string log;
+  std::string ini;
+  std::string out;
+  std::string err;
+};
+
+const std::vector<std::string> kFiles = {
+    "trajectory.tum", "odometry.tum", "steps.csv",      "config.ini",    "overview.png", "map.png",
+    "map.pgm",        "map.yaml",     "map.gridmap.gz", "map.simplemap", "summary.json"};
+
+std::size_t lines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
+
+std::size_t filesIn(const fs::path& folder) {
+  return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), {}));
+}
+
+TEST_F(SlamApp, WritesAllFilesAndSaysWhatTheyAreFor) {
+  ASSERT_EQ(map("out"), 0) << err;
+  EXPECT_EQ(filesIn(folder / "out"), kFiles.size());
+  for (const std::string& name : kFiles) {
+    EXPECT_GT(fs::file_size(folder / "out" / name), 0U) << name;
+    EXPECT_NE(out.find(name), std::string::npos) << out;
+  }
+  EXPECT_EQ(ariadne::io::readTum(folder / "out/trajectory.tum").size(), 40U);
+  EXPECT_EQ(ariadne::io::readTum(folder / "out/odometry.tum").size(), 40U);
+  EXPECT_NE(readWhole(folder / "out/trajectory.tum").find("along the odometry"), std::string::npos);
+}
+
+TEST_F(SlamApp, SummaryAgreesWithTheOtherFiles) {
+  ASSERT_EQ(map("out", {"--seed", "7", "--threads", "1"}), 0) << err;
+  const auto json = nlohmann::json::parse(readWhole(folder / "out/summary.json"));
+  EXPECT_EQ(json["seed"], 7);
+  EXPECT_EQ(json["threads"], 1);
+  EXPECT_EQ(json["complete"], true);
+  EXPECT_EQ(json["dataset"]["scans"], 40);
+  EXPECT_NEAR(json["dataset"]["odometry_length_m"], 3.9, 0.05);
+  EXPECT_NEAR(json["path_length_m"], 3.9, 0.5);
+  EXPECT_NEAR(json["dataset"]["duration_s"], 7.8, 1e-6);
+  EXPECT_EQ(json["parameters"]["grid"]["resolution_m"], 0.1);
+  EXPECT_GT(json["costs"]["cpu_s"], 0);
+  EXPECT_GT(json["costs"]["peak_memory_mb"], 1);
+  EXPECT_EQ(json["files"].get<std::vector<std::string>>().size(), kFiles.size());
+  const std::size_t updates = json["filter"]["updates"];
+  EXPECT_GT(updates, 5U);
+  EXPECT_EQ(lines(readWhole(folder / "out/steps.csv")), updates + 1);
+  EXPECT_LE(json["filter"]["neff_min"], json["filter"]["neff_mean"]);
+}
+
+TEST_F(SlamApp, SameSeedSameFilesOnAnyNumberOfThreads) {
+  ASSERT_EQ(map("one", {"--threads", "1"}), 0) << err;
+  ASSERT_EQ(map("two", {"--threads", "2"}), 0) << err;
+  ASSERT_EQ(map("other", {"--seed", "2"}), 0) << err;
+  for (const char* name : {"trajectory.tum", "steps.csv", "map.gridmap.gz"})
+    EXPECT_EQ(readWhole(folder / "one" / name), readWhole(folder / "two" / name)) << name;
+  EXPECT_NE(readWhole(folder / "one/steps.csv"), readWhole(folder / "other/steps.csv"));
+}
+
+TEST_F(SlamApp, ConfigOfARunMapsTheSameAgain) {
+  ASSERT_EQ(map("first", {"--seed", "5"}), 0) << err;
+  const std::string config = (folder / "first/config.ini").string();
+  ASSERT_EQ(run({config, "--out", (folder / "again").string()}), 0) << err;
+  EXPECT_EQ(readWhole(folder / "first/steps.csv"), readWhole(folder / "again/steps.csv"));
+}
+
+TEST_F(SlamApp, FlagsBeatSettingsBeatTheIniBeatsDefaults) {
+  EXPECT_NE(resolved({}).find("\nparticles = 4\n"), std::string::npos);
+  EXPECT_NE(resolved({"--set", "filter.particles=5"}).find("\nparticles = 5\n"), std::string::npos);
+  const std::string all = resolved({"--particles", "6", "--set", "filter.particles=5", "--set",
+                                    "filter.beta=0.2", "--set", "filter.beta=0.3"});
+  EXPECT_NE(all.find("\nparticles = 6\n"), std::string::npos);
+  EXPECT_NE(all.find("\nbeta = 0.3\n"), std::string::npos);
+  EXPECT_NE(all.find("\nseed = 1\n"), std::string::npos);
+}
+
+TEST_F(SlamApp, RelativeDatasetStartsAtTheIni) {
+  ini = put("named.ini", "[dataset]\nfile = room.log\n");
+  EXPECT_NE(resolved({}).find("file = " + log + "\n"), std::string::npos) << out;
+}
+
+TEST_F(SlamApp, WrongUseIsTwoAndSaysWhatWouldBeRight) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
+      {{}, "which CONFIG?"},
+      {{ini, "--set", "filter.particels=3"}, "the nearest is \"particles\""},
+      {{ini, "--set", "nonsense"}, "takes section.key=value"},
+      {{ini, "--particles", "many"}, "--particles: [filter] particles = many: is no whole number"},
+      {{ini, "--particles", "0"}, "out of bounds: it takes a whole number, 1 to 100000"},
+      {{ini, "--seed", "-1"}, "--seed"},
+      {{ini, "--theads", "1"}, "--theads"},
+      {{ini, log, "more"}, "more"},
+      {{ini}, "no dataset"},
+      {{log}, "room.log:2: \"FLASER 181"},
+      {{put("bad.ini", "[gird]\n")}, "bad.ini:1: [gird]: no such section; the nearest is [grid]"}};
+  for (const auto& [args, expected] : cases) {
+    EXPECT_EQ(run(args), 2) << err;
+    EXPECT_EQ(err.rfind("ariadne-slam: ", 0), 0U) << err;
+    EXPECT_NE(err.find(expected), std::string::npos) << err;
+  }
+}
+
+TEST_F(SlamApp, WhatCannotBeReadIsOne) {
+  EXPECT_EQ(run({(folder / "none.ini").string()}), 1);
+  EXPECT_EQ(run({ini, (folder / "none.log").string()}), 1);
+  EXPECT_NE(err.find("none.log"), std::string::npos) << err;
+}
+
+TEST_F(SlamApp, HelpAndVersionAreFine) {
+  EXPECT_EQ(run({"--help"}), 0);
+  EXPECT_NE(out.find("ariadne-slam ini/slam/sena.ini"), std::string::npos);
+  EXPECT_EQ(run({"--version"}), 0);
+}
+
+TEST_F(SlamApp, AFolderWithFilesNeedsOverwriteAndKeepsTheOthers) {
+  ASSERT_EQ(map("out"), 0) << err;
+  put("out/notes.txt", "mine");
+  const std::string before = readWhole(folder / "out/steps.csv");
+  EXPECT_EQ(map("out", {"--seed", "9"}), 2);
+  EXPECT_NE(err.find("--overwrite"), std::string::npos) << err;
+  EXPECT_EQ(readWhole(folder / "out/steps.csv"), before);
+  EXPECT_EQ(map("out", {"--seed", "9", "--overwrite"}), 0) << err;
+  EXPECT_NE(readWhole(folder / "out/steps.csv"), before);
+  EXPECT_EQ(readWhole(folder / "out/notes.txt"), "mine");
+}
+
+TEST_F(SlamApp, AFolderThatCannotBeWrittenIsToldBeforeMapping) {
+  EXPECT_EQ(run({ini, log, "--out", "/proc/ariadne"}), 1);
+  EXPECT_NE(err.find("/proc/ariadne"), std::string::npos) << err;
+  EXPECT_EQ(out, "");
+}
+
+// A file size limit stands for a disk that fills up while the results are written.
+TEST_F(SlamApp, AFullDiskIsAnErrorAndNoFileIsHalf) {
+  ASSERT_EQ(map("whole"), 0) << err;
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{6000, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  const int code = map("full", {"--set", "run.threads=0"});
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_EQ(code, 1);
+  EXPECT_NE(err.find("not all files are written"), std::string::npos) << err;
+  EXPECT_NE(err.find("map.pgm"), std::string::npos) << err;
+  EXPECT_FALSE(fs::exists(folder / "full/map.pgm"));
+  for (const auto& file : fs::directory_iterator(folder / "full"))
+    EXPECT_TRUE(fs::exists(folder / "whole" / file.path().filename())) << file.path();
+  EXPECT_EQ(readWhole(folder / "full/steps.csv"), readWhole(folder / "whole/steps.csv"));
+}
+
+TEST_F(SlamApp, AMapWithoutABeamIsAnError) {
+  log = put("blind.log", room_log::text(5, true));
+  EXPECT_EQ(map("out"), 1);
+  EXPECT_NE(err.find("the map is empty"), std::string::npos) << err;
+}
+
+TEST_F(SlamApp, QuietPrintsNothingAndPicturesCanBeLeftOut) {
+  ASSERT_EQ(map("out", {"--quiet", "--no-pictures"}), 0) << err;
+  EXPECT_EQ(out + err, "");
+  EXPECT_FALSE(fs::exists(folder / "out/map.png"));
+  EXPECT_FALSE(fs::exists(folder / "out/overview.png"));
+  EXPECT_EQ(filesIn(folder / "out"), kFiles.size() - 2);
+}
+
+TEST_F(SlamApp, TakesStockInis) {
+  ini = put("stock.ini",
+            "[MappingApplication]\nrawlog_file = nowhere.rawlog\nsampleSize = 3\nBETA = 0.5 // x\n"
+            "localizeLinDistance = 0.5\nLOG_FREQUENCY = 1\noccupancyGrid_count = 1\n");
+  ASSERT_EQ(map("out"), 0) << err;
+  EXPECT_NE(err.find("warning: stock.ini: without meaning here: LOG_FREQUENCY\n"),
+            std::string::npos)
+      << err;
+  EXPECT_NE(readWhole(folder / "out/config.ini").find("\nparticles = 3\n"), std::string::npos);
+}
+
+/// Steps without end; a Ctrl-C at the fourth.
+class Endless : public ariadne::io::StepSource {
+ public:
+  std::optional<ariadne::models::SensorStep> next() override {
+    if (++steps_ == 4) std::raise(SIGINT);
+    ariadne::models::SensorStep step;
+    step.time_s = steps_;
+    return step;
+  }
+  double fraction() const override { return 0.1; }
+  const ariadne::io::DatasetCounts& counts() const override { return counts_; }
+  std::vector<std::string> warnings() const override { return {}; }
+  const std::string& laserLabel() const override { return label_; }
+
+ private:
+  int steps_ = 0;
+  ariadne::io::DatasetCounts counts_;
+  std::string label_;
+};
+
+TEST(SlamAppInterrupt, StopsAfterTheStepAndKeepsWhatThereIs) {
+  using namespace ariadne;
+  const slam_app::Interrupt interrupt;
+  slam::Mapper mapper({}, 1);
+  std::ostringstream nowhere;
+  slam_app::Progress progress(nowhere, slam_app::ProgressStyle::none);
+  Endless source;
+  const auto record = slam_app::mapSteps(source, mapper, interrupt, progress);
+  EXPECT_EQ(record.signal, SIGINT);
+  EXPECT_EQ(record.odometry.size(), 4U);
+}
+
+TEST(SlamAppProgress, LineSaysHowFarAndHowLong) {
+  using ariadne::slam_app::progressLine;
+  EXPECT_EQ(progressLine(0.25, 500, 10, 12.34, 30),
+            " 25 %  500 scans  50 scans/s  Neff 12.3 of 30  0:30 left");
+  EXPECT_EQ(progressLine(0, 0, 0, 0, 30), "  0 %  0 scans  0 scans/s  Neff 0.0 of 30");
+  EXPECT_NE(progressLine(0.5, 9, 7200, 1, 2).find("2:00:00 left"), std::string::npos);
+}
+
+/// What is shipped is what the tables say.
+class Shipped : public SlamApp {
+ protected:
+  fs::path source = std::getenv("ARIADNE_SOURCE_DIR") ? std::getenv("ARIADNE_SOURCE_DIR") : ".";
+};
+
+TEST_F(Shipped, InisLoadAndNameEveryKey) {
+  std::size_t found = 0;
+  for (const auto& file : fs::directory_iterator(source / "ini/slam")) {
+    ASSERT_EQ(run({file.path().string(), "--print-config"}), 0) << err;
+    const std::string text = readWhole(file.path());
+    std::istringstream config(out);
+    for (std::string line; std::getline(config, line);) {
+      if (line.empty() || line[0] == '#') continue;
+      const std::string name = "\n" + line.substr(0, line.find('=')) + (line[0] == '[' ? "" : "=");
+      EXPECT_NE(text.find(name), std::string::npos) << file.path() << " lacks " << line;
+    }
+    ++found;
+  }
+  EXPECT_GE(found, 2U);
+}
+
+TEST_F(Shipped, ParametersPageIsUpToDate) {
+  ASSERT_EQ(run({"--print-parameters"}), 0);
+  EXPECT_EQ(readWhole(source / "doc/parameters.md"), out)
+      << "renew it: ariadne-slam --print-parameters > doc/parameters.md";
+}
