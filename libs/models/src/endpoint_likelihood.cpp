@@ -16,11 +16,14 @@ std::vector<TPoint2D> thinned(const std::vector<TPoint2D>& points, std::size_t c
   return out;
 }
 
-EndpointLikelihood::EndpointLikelihood(const MatcherParams& params, double field_sigma_m) {
-  // field = 255 exp(-d^2 / 2 f^2), so exp(-d^2 / 2 sigma^2) = (field / 255)^(f^2 / sigma^2).
-  const double exponent = std::pow(field_sigma_m / params.hit_sigma_m, 2);
+EndpointLikelihood::EndpointLikelihood(const MatcherParams& params, double field_sigma_m)
+    : hit_weight_(params.hit_weight),
+      // field = 255 exp(-d^2 / 2 f^2), so exp(-d^2 / 2 sigma^2) = (field / 255)^(f^2 / sigma^2).
+      exponent_(std::pow(field_sigma_m / params.hit_sigma_m, 2)),
+      field_sigma_m_(field_sigma_m),
+      hit_sigma_m_(params.hit_sigma_m) {
   for (int i = 0; i <= 255; ++i)
-    table_[i] = std::log(params.hit_weight * std::pow(i / 255.0, exponent) + 1 - params.hit_weight);
+    table_[i] = std::log(hit_weight_ * std::pow(i / 255.0, exponent_) + 1 - hit_weight_);
   table_[256] = table_[255];
   unknown_ = params.unknown_share * table_[0];
 }
@@ -40,6 +43,33 @@ double EndpointLikelihood::operator()(const grid::OccupancyGrid& map,
     sum += value > 0 || map.at(map.cellOf({x, y})) != 0 ? beam(value) : unknown_;
   }
   return sum * (kNominalBeams / static_cast<double>(points.size()));
+}
+
+Eigen::Matrix3d EndpointLikelihood::information(const grid::OccupancyGrid& map,
+                                                const std::vector<TPoint2D>& points,
+                                                const TPose2D& map_from_robot) const {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  if (points.empty()) return sum;
+  grid::FieldSampler field(map);
+  const double c = std::cos(map_from_robot.phi);
+  const double s = std::sin(map_from_robot.phi);
+  const double h = field_sigma_m_;
+  constexpr int kSides[4][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+  for (const auto& side : kSides)
+    for (const TPoint2D& p : points) {
+      const double rx = c * p.x - s * p.y;
+      const double ry = s * p.x + c * p.y;
+      const grid::FieldSample f =
+          field.sample(map_from_robot.x + side[0] * h + rx, map_from_robot.y + side[1] * h + ry);
+      if (f.value <= 0) continue;
+      const double density = hit_weight_ * std::pow(f.value, exponent_);
+      const double slope = exponent_ * density / (f.value * (density + 1 - hit_weight_));
+      const Eigen::Vector3d gradient(slope * f.dx, slope * f.dy, slope * (f.dy * rx - f.dx * ry));
+      sum += gradient * gradient.transpose();
+    }
+  // Two sides an axis; at distance h a beam's gradient is h / sigma^2, the information 1 / sigma^2.
+  return sum *
+         (0.5 * std::pow(hit_sigma_m_ / h, 2) * kNominalBeams / static_cast<double>(points.size()));
 }
 
 }  // namespace ariadne::models

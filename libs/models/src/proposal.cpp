@@ -1,8 +1,5 @@
 #include "ariadne/models/proposal.h"
 
-#include <mrpt/core/bits_math.h>
-
-#include <algorithm>
 #include <cmath>
 
 #include "ariadne/models/motion_model.h"
@@ -14,33 +11,6 @@ using mrpt::math::TPose2D;
 
 TPose2D moved(const TPose2D& pose, const Eigen::Vector3d& by) {
   return compose({pose.x + by[0], pose.y + by[1], pose.phi + by[2]}, {0, 0, 0});
-}
-
-/// Steps of the finite differences: a cell, and what moves a beam of 6 m by one.
-const Eigen::Vector3d kSteps(0.05, 0.05, mrpt::DEG2RAD(0.5));
-
-/// -d^2 f at `mode`, made positive semidefinite: a ridge tells nothing along itself.
-template <class F>
-Eigen::Matrix3d curvature(const F& f, double at_mode) {
-  Eigen::Vector3d up;
-  Eigen::Vector3d down;
-  Eigen::Matrix3d h;
-  for (int i = 0; i < 3; ++i) {
-    const Eigen::Vector3d step = Eigen::Vector3d::Unit(i) * kSteps[i];
-    up[i] = f(step);
-    down[i] = f(-step);
-    h(i, i) = (2 * at_mode - up[i] - down[i]) / (kSteps[i] * kSteps[i]);
-  }
-  for (int i = 0; i < 3; ++i)
-    for (int j = i + 1; j < 3; ++j) {
-      const Eigen::Vector3d step =
-          Eigen::Vector3d::Unit(i) * kSteps[i] + Eigen::Vector3d::Unit(j) * kSteps[j];
-      const double cross = f(step) + f(-step) - up[i] - down[i] - up[j] - down[j] + 2 * at_mode;
-      h(i, j) = h(j, i) = -cross / (2 * kSteps[i] * kSteps[j]);
-    }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(h);
-  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() *
-         eigen.eigenvectors().transpose();
 }
 
 }  // namespace
@@ -59,10 +29,7 @@ PoseGaussian fitProposal(const EndpointLikelihood& likelihood, const grid::Occup
   PoseGaussian fit;
   fit.mean = mode;
   fit.log_likelihood = likelihood(map, points, mode);
-  const Eigen::Matrix3d h =
-      curvature([&](const Eigen::Vector3d& by) { return likelihood(map, points, moved(mode, by)); },
-                fit.log_likelihood);
-
+  const Eigen::Matrix3d h = likelihood.information(map, points, mode);
   const Eigen::Matrix3d prior_information = prior.covariance.inverse();
   fit.covariance = (prior_information + gains.proposal * h).inverse();
 

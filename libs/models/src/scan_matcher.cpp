@@ -114,15 +114,15 @@ ScanMatcher::Candidate ScanMatcher::climb(const Problem& problem, Candidate at) 
   return at;
 }
 
-ScanMatcher::Candidate ScanMatcher::search(const Problem& problem, const Candidate& from) const {
+TPose2D ScanMatcher::search(const Problem& problem, double distance_m) const {
   std::vector<TPoint2D> rotated;
-  TPose2D best_pose = from.pose;
+  TPose2D best_pose = problem.predicted;
   double best = -1e300;
   const double turn_step = mrpt::DEG2RAD(2.0);
   const double move_step = 0.1;
   const int turns =
       static_cast<int>(std::floor(mrpt::DEG2RAD(params_.search_angle_deg) / turn_step));
-  const int moves = static_cast<int>(std::floor(params_.search_distance_m / move_step));
+  const int moves = static_cast<int>(std::floor(distance_m / move_step));
   const std::size_t stride = std::max<std::size_t>(1, problem.points.size() / 60);
   for (int k = -turns; k <= turns; ++k) {
     const double heading = problem.predicted.phi + k * turn_step;
@@ -146,7 +146,7 @@ ScanMatcher::Candidate ScanMatcher::search(const Problem& problem, const Candida
         }
       }
   }
-  return climb(problem, linearised<Candidate>(problem, best_pose));
+  return best_pose;
 }
 
 Match ScanMatcher::operator()(const grid::OccupancyGrid& map, const std::vector<TPoint2D>& points,
@@ -156,10 +156,12 @@ Match ScanMatcher::operator()(const grid::OccupancyGrid& map, const std::vector<
                         gain_ * kNominalBeams / static_cast<double>(points.size())};
   const Candidate start = linearised<Candidate>(problem, predicted);
   Candidate best = climb(problem, start);
-  if (best.score < params_.search_below) {
-    const Candidate found = search(problem, best);
-    if (found.cost < best.cost) best = found;
-  }
+  const auto tryFrom = [&](const TPose2D& pose) {
+    Candidate found = climb(problem, linearised<Candidate>(problem, pose));
+    if (found.cost < best.cost) best = std::move(found);
+  };
+  if (best.score < params_.sweep_below) tryFrom(search(problem, 0));
+  if (best.score < params_.search_below) tryFrom(search(problem, params_.search_distance_m));
   const bool accepted = best.cost < start.cost && best.score > start.score;
   const Candidate& chosen = accepted ? best : start;
   return {compose(chosen.pose, {0, 0, 0}), accepted, chosen.score};

@@ -1,6 +1,9 @@
 // The field that scans are matched on: 255 exp(-d^2 / 2 sigma^2) of the distance d to the nearest
 // occupied cell, kept up to date cell by cell as the map changes (Thrun et al., Probabilistic
 // Robotics, 6.4). Tiles without a wall nearby take no memory.
+//
+// The Gaussian is a product of one along x and one along y, so a window is rebuilt in two passes;
+// trying every occupied cell near a freed one took a third of a run.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -15,18 +18,31 @@ struct Cell {
   int y = 0;
 };
 
-/// The square around one occupied cell, (2 radius + 1)^2 values.
+/// The square of values around one occupied cell.
 class FieldKernel {
  public:
   explicit FieldKernel(double sigma_cells);
   int radius() const { return radius_; }
-  std::uint8_t at(int dx, int dy) const { return row(dy)[dx + radius_]; }
-  /// Values of row dy from dx = -radius on.
-  const std::uint8_t* row(int dy) const { return &values_[(dy + radius_) * (2 * radius_ + 1)]; }
+  /// Value `distance` cells away along one axis, 0..255.
+  std::uint8_t along(int distance) const { return line()[distance]; }
+  /// Pointer to the middle of the values along one axis: [-radius, radius].
+  const std::uint8_t* line() const { return line_.data() + radius_; }
+  /// What an occupied cell gives a cell (dx, dy) away.
+  std::uint8_t at(int dx, int dy) const { return row(dy)[dx]; }
+  /// Pointer to the middle of row dy.
+  const std::uint8_t* row(int dy) const {
+    return square_.data() + (dy + radius_) * (2 * radius_ + 1) + radius_;
+  }
+  /// Rounded product of two values along the axes; 255 stands for 1.
+  static constexpr std::uint8_t product(unsigned a, unsigned b) {
+    const unsigned t = a * b + 128;
+    return static_cast<std::uint8_t>((t + (t >> 8)) >> 8);
+  }
 
  private:
   int radius_;
-  std::vector<std::uint8_t> values_;
+  std::vector<std::uint8_t> line_;
+  std::vector<std::uint8_t> square_;
 };
 
 class LikelihoodField {
@@ -43,9 +59,6 @@ class LikelihoodField {
   void clear() { plane_.clear(); }
 
  private:
-  /// Raises the part of the plane inside `window` to the kernel about `centre`.
-  void stamp(Cell centre, const CellBox& window);
-
   std::shared_ptr<const FieldKernel> kernel_;
   TiledPlane<std::uint8_t> plane_;
 };

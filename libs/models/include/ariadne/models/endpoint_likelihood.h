@@ -6,6 +6,7 @@
 #include <mrpt/math/TPoint2D.h>
 #include <mrpt/math/TPose2D.h>
 
+#include <Eigen/Dense>
 #include <array>
 #include <vector>
 
@@ -30,6 +31,14 @@ class EndpointLikelihood {
   double operator()(const grid::OccupancyGrid& map, const std::vector<mrpt::math::TPoint2D>& points,
                     const mrpt::math::TPose2D& map_from_robot) const;
 
+  /// Fisher information of the scan about (x, y, heading) near a pose that maximises the
+  /// likelihood: the sum of gradient times its transpose over beams, taken one field width to each
+  /// side, since at the peak itself the gradients vanish. Always positive semidefinite; second
+  /// differences are not, and a clamped one samples the motion model's noise into good matches.
+  Eigen::Matrix3d information(const grid::OccupancyGrid& map,
+                              const std::vector<mrpt::math::TPoint2D>& points,
+                              const mrpt::math::TPose2D& map_from_robot) const;
+
  private:
   double beam(double field) const {
     const int i = static_cast<int>(field);
@@ -37,6 +46,10 @@ class EndpointLikelihood {
   }
   std::array<double, 257> table_;  // by field value, 0..255, and one more to interpolate
   double unknown_;
+  double hit_weight_;
+  double exponent_;  // field^exponent is the hit density
+  double field_sigma_m_;
+  double hit_sigma_m_;
 };
 
 }  // namespace ariadne::models

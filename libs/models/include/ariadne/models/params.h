@@ -21,6 +21,7 @@ struct MatcherParams {
   int max_iterations = 12;
   double search_angle_deg = 12;
   double search_distance_m = 0.3;
+  double sweep_below = 0.95;
   double search_below = 0.5;
   double hit_sigma_m = 0.1;
   double hit_weight = 0.9;
@@ -53,6 +54,8 @@ void visitFields(V& v, MatcherParams& p) {
            "coarse search about the predicted heading, half width; 0 for none");
   v.number("search_distance_m", p.search_distance_m, {0, 5},
            "coarse search about the predicted position, half width");
+  v.number("sweep_below", p.sweep_below, {0, 1},
+           "headings about the predicted one are tried when the mean field is under this");
   v.number("search_below", p.search_below, {0, 1},
            "the coarse search runs when the mean field under the endpoints is under this");
   v.number("hit_sigma_m", p.hit_sigma_m, {0.01, 2},

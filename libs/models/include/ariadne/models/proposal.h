@@ -1,7 +1,7 @@
 // The improved proposal: a Gaussian fitted to p(z | x, m) p(x | x', u) about the matched pose, and
 // its integral, the particle's weight. After Grisetti, Stachniss, Burgard, "Improved techniques for
-// grid mapping with Rao-Blackwellized particle filters", T-RO 2007, Eq. (12)-(19); the covariance
-// is from finite differences, since the matcher's J^T J vanishes at the peak.
+// grid mapping with Rao-Blackwellized particle filters", T-RO 2007, Eq. (12)-(19); the width is
+// from the Fisher information of the scan instead of samples about the mode.
 #pragma once
 #include <mrpt/math/TPose2D.h>
 

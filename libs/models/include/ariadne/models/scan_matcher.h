@@ -34,7 +34,7 @@ class ScanMatcher {
   struct Problem;
   struct Candidate;
   Candidate climb(const Problem& problem, Candidate from) const;
-  Candidate search(const Problem& problem, const Candidate& from) const;
+  mrpt::math::TPose2D search(const Problem& problem, double distance_m) const;
 
   MatcherParams params_;
   double gain_;
