@@ -64,7 +64,9 @@ class CommandLine {
         ->capture_default_str();
     noise->add_option("--trans-rot", args_.noise.trans_rot, "m of place per rad turned")
         ->capture_default_str();
-    noise->add_option("--seed", args_.seed, "same seed, same noise")->capture_default_str();
+    noise->add_option("--seed", args_.seed, "same seed, same noise")
+        ->capture_default_str()
+        ->check(CLI::NonNegativeNumber);  // else -1 would be 2^64 - 1
     noise
         ->add_option("--restamp", args_.restamp_s,
                      "stamps this many seconds apart, for logs whose own are useless")
