@@ -125,6 +125,8 @@ TEST(StockIni, RubbishIsAnErrorWithItsPlace) {
       {"PF_algorithm = pfOptimal\n", "a.ini:2: [MappingApplication] PF_algorithm = pfOptimal: it"},
       {"beaconMap_count = 1\n", "a.ini:2: [MappingApplication] beaconMap_count = 1: only 2D laser"},
       {"occupancyGrid_count = 0\npointsMap_count=0\n", "a.ini: [MappingApplication] asks for nei"},
+      {"[M_occupancyGrid_00_insertOpts]\nmaxOccupancyUpdateCertainty = 60\n",
+       "a.ini:3: [M_occupancyGrid_00_insertOpts] maxOccupancyUpdateCertainty = 60: it takes a pr"},
       {"localizeLinDistance = -3\n", "[update] update_distance_m = -3 is out of bounds"}};
   for (const auto& [keys, expected] : cases)
     EXPECT_EQ(complaint(keys).substr(0, expected.size()), expected);

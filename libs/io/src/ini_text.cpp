@@ -150,11 +150,14 @@ std::string readIniText(const std::filesystem::path& path) {
     throw core::Error(fmt::format("cannot read {}: it is a folder", path.string()));
   errno = 0;
   std::ifstream file(path, std::ios::binary);
-  std::string text(kMaxFile + 1, '\0');
-  if (file) file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  std::string text;
+  char block[1 << 14];
+  while (file && text.size() <= kMaxFile) {
+    file.read(block, sizeof(block));
+    text.append(block, static_cast<std::size_t>(file.gcount()));
+  }
   if (!file.is_open() || file.bad())
     throw core::Error(fmt::format("cannot read {}: {}", path.string(), std::strerror(errno)));
-  text.resize(static_cast<std::size_t>(file.gcount()));
   if (text.size() > kMaxFile)
     throw core::UsageError(
         fmt::format("{} is larger than 4 MB: no configuration file", path.string()));

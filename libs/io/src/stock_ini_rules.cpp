@@ -43,9 +43,16 @@ void checkOffset(StockState& s, const IniEntry& e) {
         "{}: rawlog_offset: nothing is skipped here, the log is read from its start", e.where));
 }
 
+/// Probability that an observation of a cell is right.
+double certainty(const IniEntry& e) {
+  const double p = mrptNumber(e);
+  if (p < 0.5 || p > 1) throw entryError(e, "it takes a probability, 0.5 to 1");
+  return p;
+}
+
 /// A field that takes the number as it is.
 template <class T>
-std::function<void(StockState&, const IniEntry&)> number(T StockState::*field) {
+StockRule::Apply number(T StockState::*field) {
   return [field](StockState& s, const IniEntry& e) { s.*field = mrptNumber(e); };
 }
 
@@ -71,8 +78,10 @@ std::vector<StockRule> makeRules() {
        [](S& s, const E& e) { s.params.grid.resolution_m = mrptNumber(e); }},
       {"_insertOpts", "maxDistanceInsertion",
        [](S& s, const E& e) { s.params.grid.insert_range_m = mrptNumber(e); }},
-      {"_insertOpts", "maxOccupancyUpdateCertainty", number(&S::occupied)},
-      {"_insertOpts", "maxFreenessUpdateCertainty", number(&S::free)},
+      {"_insertOpts", "maxOccupancyUpdateCertainty",
+       [](S& s, const E& e) { s.occupied = certainty(e); }},
+      {"_insertOpts", "maxFreenessUpdateCertainty",
+       [](S& s, const E& e) { s.free = mrptNumber(e) == 0 ? 0 : certainty(e); }},
       {"_insertOpts", "considerInvalidRangesAsFreeSpace",
        [](S& s, const E& e) { s.no_return_is_free = mrptBool(e); }},
   };

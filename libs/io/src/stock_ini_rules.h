@@ -29,10 +29,11 @@ struct StockState {
 };
 
 struct StockRule {
+  using Apply = std::function<void(StockState&, const IniEntry&)>;
   /// "" for [MappingApplication], else what its options section of the first grid ends in.
   const char* options;
   const char* key;
-  std::function<void(StockState&, const IniEntry&)> apply;
+  Apply apply;
 };
 
 const std::vector<StockRule>& stockRules();
