@@ -43,6 +43,8 @@ error; a points map becomes a grid.
 | `maxOccupancyUpdateCertainty` = p | [grid] `occupied_probability` = p^3 / (p^3 + (1-p)^3), as MRPT inserts endpoints with three times the log odds; `free_probability` = p |
 | `maxFreenessUpdateCertainty` | [grid] `free_probability`, if not 0 |
 | `considerInvalidRangesAsFreeSpace` | [grid] `no_return_free_m`: 3, or 0 |
+
+Matching and likelihood (`LF_*`, `ICP_*`, ...) are this program's own: [matcher] keeps its defaults.
 )";
 
 }  // namespace

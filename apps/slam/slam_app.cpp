@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <exception>
+#include <filesystem>
 #include <iostream>
 
 #include "ariadne/core/error.h"
@@ -44,7 +45,11 @@ int mapDataset(const Options& options, ResolvedConfig resolved, std::ostream& ou
   if (config.dataset.file.empty())
     throw core::UsageError("no dataset: name one behind CONFIG, or in the INI as [dataset] file");
   config.run.out = std::filesystem::absolute(outputFolderOf(config)).lexically_normal().string();
+  io::writeIni(config, "");  // throws now, not after mapping, for a name that no INI can hold
   warn(err, resolved.warnings);
+  if (std::error_code ignored; !std::filesystem::exists(config.dataset.file, ignored))
+    throw core::Error(fmt::format("there is no log {}; to map another, name it behind CONFIG",
+                                  config.dataset.file));
 
   const Interrupt interrupt;
   const auto source = io::openDataset(config.dataset.file, {config.dataset.laser_label});

@@ -141,6 +141,7 @@ TEST_F(SlamApp, WrongUseIsTwoAndSaysWhatWouldBeRight) {
       {{ini, "--theads", "1"}, "--theads"},
       {{ini, log, "more"}, "more"},
       {{ini}, "no dataset"},
+      {{ini, log, "--out", "two\nlines"}, "cannot be written to an INI"},
       {{log}, "room.log:2: \"FLASER 181"},
       {{put("bad.ini", "[gird]\n")}, "bad.ini:1: [gird]: no such section; the nearest is [grid]"}};
   for (const auto& [args, expected] : cases) {
