@@ -1,61 +1,13 @@
 #include <sys/resource.h>
 
 #include <csignal>
-#include <cstdlib>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "../io/temporary_folder.h"
 #include "ariadne/io/tum.h"
-#include "ariadne/io/whole_file.h"
-#include "mapping.h"
-#include "room_log.h"
-#include "slam_app.h"
+#include "slam_app_fixture.h"
 
 namespace fs = std::filesystem;
 using ariadne::io::readWhole;
-
-class SlamApp : public TemporaryFolder {
- protected:
-  void SetUp() override {
-    TemporaryFolder::SetUp();
-    log = put("room.log", room_log::text(40));
-    ini = put("room.ini", "[filter]\nparticles = 4\n[grid]\nresolution_m = 0.1\n");
-  }
-
-  std::string put(const std::string& name, const std::string& content) {
-    ariadne::io::writeWhole(folder / name, content);
-    return (folder / name).string();
-  }
-
-  int run(const std::vector<std::string>& args) {
-    std::ostringstream out_stream;
-    std::ostringstream err_stream;
-    const int code = ariadne::runSlamApp(args, out_stream, err_stream);
-    out = out_stream.str();
-    err = err_stream.str();
-    return code;
-  }
-
-  int map(const std::string& name, std::vector<std::string> more = {}) {
-    more.insert(more.begin(), {ini, log, "--out", (folder / name).string()});
-    return run(more);
-  }
-
-  /// All that --print-config prints for these arguments behind the INI.
-  std::string resolved(std::vector<std::string> args) {
-    args.insert(args.begin(), ini);
-    args.emplace_back("--print-config");
-    EXPECT_EQ(run(args), 0) << err;
-    return out;
-  }
-
-  std::string log;
-  std::string ini;
-  std::string out;
-  std::string err;
-};
 
 const std::vector<std::string> kFiles = {
     "trajectory.tum", "odometry.tum", "steps.csv",      "config.ini",    "overview.png", "map.png",
@@ -224,72 +176,4 @@ TEST_F(SlamApp, TakesStockInis) {
             std::string::npos)
       << err;
   EXPECT_NE(readWhole(folder / "out/config.ini").find("\nparticles = 3\n"), std::string::npos);
-}
-
-/// Steps without end; a Ctrl-C at the fourth.
-class Endless : public ariadne::io::StepSource {
- public:
-  std::optional<ariadne::models::SensorStep> next() override {
-    if (++steps_ == 4) std::raise(SIGINT);
-    ariadne::models::SensorStep step;
-    step.time_s = steps_;
-    return step;
-  }
-  double fraction() const override { return 0.1; }
-  const ariadne::io::DatasetCounts& counts() const override { return counts_; }
-  std::vector<std::string> warnings() const override { return {}; }
-  const std::string& laserLabel() const override { return label_; }
-
- private:
-  int steps_ = 0;
-  ariadne::io::DatasetCounts counts_;
-  std::string label_;
-};
-
-TEST(SlamAppInterrupt, StopsAfterTheStepAndKeepsWhatThereIs) {
-  using namespace ariadne;
-  const slam_app::Interrupt interrupt;
-  slam::Mapper mapper({}, 1);
-  std::ostringstream nowhere;
-  slam_app::Progress progress(nowhere, slam_app::ProgressStyle::none);
-  Endless source;
-  const auto record = slam_app::mapSteps(source, mapper, interrupt, progress);
-  EXPECT_EQ(record.signal, SIGINT);
-  EXPECT_EQ(record.odometry.size(), 4U);
-}
-
-TEST(SlamAppProgress, LineSaysHowFarAndHowLong) {
-  using ariadne::slam_app::progressLine;
-  EXPECT_EQ(progressLine(0.25, 500, 10, 12.34, 30),
-            " 25 %  500 scans  50 scans/s  Neff 12.3 of 30  0:30 left");
-  EXPECT_EQ(progressLine(0, 0, 0, 0, 30), "  0 %  0 scans  0 scans/s  Neff 0.0 of 30");
-  EXPECT_NE(progressLine(0.5, 9, 7200, 1, 2).find("2:00:00 left"), std::string::npos);
-}
-
-/// What is shipped is what the tables say.
-class Shipped : public SlamApp {
- protected:
-  fs::path source = std::getenv("ARIADNE_SOURCE_DIR") ? std::getenv("ARIADNE_SOURCE_DIR") : ".";
-};
-
-TEST_F(Shipped, InisLoadAndNameEveryKey) {
-  std::size_t found = 0;
-  for (const auto& file : fs::directory_iterator(source / "ini/slam")) {
-    ASSERT_EQ(run({file.path().string(), "--print-config"}), 0) << err;
-    const std::string text = readWhole(file.path());
-    std::istringstream config(out);
-    for (std::string line; std::getline(config, line);) {
-      if (line.empty() || line[0] == '#') continue;
-      const std::string name = "\n" + line.substr(0, line.find('=')) + (line[0] == '[' ? "" : "=");
-      EXPECT_NE(text.find(name), std::string::npos) << file.path() << " lacks " << line;
-    }
-    ++found;
-  }
-  EXPECT_GE(found, 2U);
-}
-
-TEST_F(Shipped, ParametersPageIsUpToDate) {
-  ASSERT_EQ(run({"--print-parameters"}), 0);
-  EXPECT_EQ(readWhole(source / "doc/parameters.md"), out)
-      << "renew it: ariadne-slam --print-parameters > doc/parameters.md";
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -122,12 +121,6 @@ class Parser {
 
 }  // namespace
 
-bool equalIgnoringCase(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
-    return std::tolower(x) == std::tolower(y);
-  });
-}
-
 bool IniDocument::hasSection(std::string_view section) const {
   return std::any_of(sections.begin(), sections.end(),
                      [&](const IniSection& s) { return equalIgnoringCase(s.name, section); });
@@ -174,45 +167,6 @@ IniEntry parseSetting(const std::string& text) {
   return {std::string(trimmed(view.substr(0, dot))),
           std::string(trimmed(view.substr(dot + 1, equals - dot - 1))),
           std::string(trimmed(view.substr(equals + 1))), "--set"};
-}
-
-std::string printable(std::string_view text) {
-  constexpr std::size_t kLength = 80;
-  std::string out;
-  for (unsigned char c : text) {
-    if (out.size() >= kLength) return out + "...";
-    if (c < 0x20 || c == 0x7f)
-      out += fmt::format("\\x{:02x}", c);
-    else
-      out += static_cast<char>(c);
-  }
-  return out;
-}
-
-std::string nearestName(std::string_view name, const std::vector<std::string>& known) {
-  name = name.substr(0, 200);
-  std::string best;
-  double least = 1e9;
-  for (const std::string& candidate : known) {
-    std::vector<double> row(candidate.size() + 1);
-    for (std::size_t j = 0; j < row.size(); ++j) row[j] = static_cast<double>(j);
-    for (std::size_t i = 0; i < name.size(); ++i) {
-      double diagonal = row[0];
-      row[0] = static_cast<double>(i + 1);
-      for (std::size_t j = 0; j < candidate.size(); ++j) {
-        const bool same_letter = equalIgnoringCase(name.substr(i, 1), candidate.substr(j, 1));
-        const double swap = name[i] == candidate[j] ? 0 : same_letter ? 0.1 : 1;
-        const double next = std::min({row[j] + 1, row[j + 1] + 1, diagonal + swap});
-        diagonal = row[j + 1];
-        row[j + 1] = next;
-      }
-    }
-    if (row.back() < least) {
-      least = row.back();
-      best = candidate;
-    }
-  }
-  return best;
 }
 
 }  // namespace ariadne::io

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "ariadne/io/ini_names.h"
+
 namespace ariadne::io {
 
 /// `key = value` in a section; `where` is "file:12" or "--set", `value` has no comment.
@@ -54,13 +56,5 @@ std::string readIniText(const std::filesystem::path& path);
 
 /// `section.key=value` of the option --set. Throws core::UsageError.
 IniEntry parseSetting(const std::string& text);
-
-/// For messages: control bytes as \xNN, cut to a readable length.
-std::string printable(std::string_view text);
-
-/// The name with the least edit distance (case counts little); empty when there are none.
-std::string nearestName(std::string_view name, const std::vector<std::string>& known);
-
-bool equalIgnoringCase(std::string_view a, std::string_view b);
 
 }  // namespace ariadne::io
