@@ -5,6 +5,7 @@
 #include "ariadne/core/error.h"
 #include "ariadne/grid/occupancy_grid.h"
 #include "ariadne/grid/polygon_rows.h"
+#include "ariadne/grid/rounding.h"
 #include "row_fill.h"
 
 namespace ariadne::grid {
@@ -94,8 +95,8 @@ void fillOutline(Plane& cells, std::int8_t amount, Scratch& scratch) {
   const auto [left, right] =
       std::minmax_element(scratch.outline.begin(), scratch.outline.end(),
                           [](const auto& a, const auto& b) { return a.x < b.x; });
-  const int tx_begin = static_cast<int>(std::floor(left->x)) >> kTileBits;
-  const int tx_end = (static_cast<int>(std::ceil(right->x)) >> kTileBits) + 1;
+  const int tx_begin = floorToInt(left->x) >> kTileBits;
+  const int tx_end = (ceilToInt(right->x) >> kTileBits) + 1;
   SpanFiller filler(cells, amount, scratch.freed);
   int open_row = 0;
   for (int y = scratch.rows.firstRow(); y < scratch.rows.endRow(); ++y) {
@@ -130,7 +131,7 @@ void OccupancyGrid::insert(const ScanShape& shape, const mrpt::math::TPose2D& ma
   scratch.hits.clear();
   for (const TPoint2D& p : shape.hits) {
     const TPoint2D v = toCells(p);
-    const Cell cell{static_cast<int>(std::floor(v.x)), static_cast<int>(std::floor(v.y))};
+    const Cell cell{floorToInt(v.x), floorToInt(v.y)};
     scratch.hits.push_back({cell, at(cell)});
   }
   scratch.freed.clear();

@@ -1,8 +1,9 @@
 #include "ariadne/grid/occupancy_grid.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+
+#include "ariadne/grid/rounding.h"
 
 namespace ariadne::grid {
 namespace {
@@ -20,8 +21,7 @@ OccupancyGrid::OccupancyGrid(const GridParams& params)
       field_(params.field_sigma_m / params.resolution_m) {}
 
 Cell OccupancyGrid::cellOf(const mrpt::math::TPoint2D& p) const {
-  return {static_cast<int>(std::floor((p.x - origin_.x) / resolution_)),
-          static_cast<int>(std::floor((p.y - origin_.y) / resolution_))};
+  return {floorToInt((p.x - origin_.x) / resolution_), floorToInt((p.y - origin_.y) / resolution_)};
 }
 
 mrpt::math::TPoint2D OccupancyGrid::centreOf(Cell c) const {

@@ -1,7 +1,8 @@
 #include "ariadne/grid/polygon_rows.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "ariadne/grid/rounding.h"
 
 namespace ariadne::grid {
 namespace {
@@ -9,7 +10,7 @@ namespace {
 using mrpt::math::TPoint2D;
 
 /// First cell whose centre is at or past v.
-int firstCentre(double v) { return static_cast<int>(std::ceil(v - 0.5)); }
+int firstCentre(double v) { return ceilToInt(v - 0.5); }
 
 /// Calls f(a, b, row0, row1) for each edge that crosses the centre of a row; a is the lower end.
 template <class F>
@@ -27,8 +28,16 @@ void forEachEdge(const std::vector<TPoint2D>& vertices, F&& f) {
 }
 
 void sortRow(int* begin, int* end) {
-  for (int* i = begin + 1; i < end; ++i)  // a handful of crossings a row
-    for (int* j = i; j > begin && j[0] < j[-1]; --j) std::swap(j[0], j[-1]);
+  if (end - begin > 24) {
+    std::sort(begin, end);
+    return;
+  }
+  for (int* i = begin + 1; i < end; ++i) {
+    const int value = *i;
+    int* j = i;
+    for (; j > begin && value < j[-1]; --j) *j = j[-1];
+    *j = value;
+  }
 }
 
 }  // namespace
@@ -55,8 +64,9 @@ void PolygonRows::build(const std::vector<TPoint2D>& vertices) {
   crossings_.resize(total);
   forEachEdge(vertices, [&](const TPoint2D& a, const TPoint2D& b, int row0, int row1) {
     const double slope = (b.x - a.x) / (b.y - a.y);
-    for (int r = row0; r < row1; ++r)
-      crossings_[row_ends_[r - first_row_]++] = firstCentre(a.x + (r + 0.5 - a.y) * slope);
+    double x = a.x + (row0 + 0.5 - a.y) * slope;
+    std::size_t* end = &row_ends_[row0 - first_row_];
+    for (int r = row0; r < row1; ++r, x += slope) crossings_[(*end++)++] = firstCentre(x);
   });
   std::size_t begin = 0;
   for (const std::size_t end : row_ends_) {

@@ -22,8 +22,11 @@ EndpointLikelihood::EndpointLikelihood(const MatcherParams& params, double field
       exponent_(std::pow(field_sigma_m / params.hit_sigma_m, 2)),
       field_sigma_m_(field_sigma_m),
       hit_sigma_m_(params.hit_sigma_m) {
-  for (int i = 0; i <= 255; ++i)
-    table_[i] = std::log(hit_weight_ * std::pow(i / 255.0, exponent_) + 1 - hit_weight_);
+  for (int i = 0; i <= 255; ++i) {
+    const double density = hit_weight_ * std::pow(i / 255.0, exponent_);
+    table_[i] = std::log(density + 1 - hit_weight_);
+    slope_[i] = i == 0 ? 0 : exponent_ * density / (i / 255.0 * (density + 1 - hit_weight_));
+  }
   table_[256] = table_[255];
   unknown_ = params.unknown_share * table_[0];
 }
@@ -61,11 +64,9 @@ Eigen::Matrix3d EndpointLikelihood::information(const grid::OccupancyGrid& map,
       const double ry = s * p.x + c * p.y;
       const grid::FieldSample f =
           field.sample(map_from_robot.x + side[0] * h + rx, map_from_robot.y + side[1] * h + ry);
-      if (f.value <= 0) continue;
-      const double density = hit_weight_ * std::pow(f.value, exponent_);
-      const double slope = exponent_ * density / (f.value * (density + 1 - hit_weight_));
+      const double slope = slope_[static_cast<int>(f.value * 255)];
       const Eigen::Vector3d gradient(slope * f.dx, slope * f.dy, slope * (f.dy * rx - f.dx * ry));
-      sum += gradient * gradient.transpose();
+      sum.noalias() += gradient * gradient.transpose();
     }
   // Two sides an axis; at distance h a beam's gradient is h / sigma^2, the information 1 / sigma^2.
   return sum *

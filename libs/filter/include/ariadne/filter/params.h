@@ -13,7 +13,7 @@ struct FilterParams {
   int particles = 30;
   std::uint64_t seed = 1;
   Proposal proposal = Proposal::improved;
-  double proposal_gain = 2;
+  double proposal_gain = 8;
   double weight_gain = 0.05;
   double revisit_exponent = 2;
   double revisit_radius_m = 2;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ariadne/grid/occupancy_grid.h"
+#include "ariadne/grid/rounding.h"
 
 namespace ariadne::grid {
 
@@ -54,13 +55,14 @@ class FieldSampler {
     }
     return tile_;
   }
-  Corners corners(double x, double y) {
+  // Inlined by force: a fifth of the matcher's time was the call.
+  __attribute__((always_inline)) Corners corners(double x, double y) {
     const double u = x * cells_per_m_ + shift_x_;
     const double v = y * cells_per_m_ + shift_y_;
     // Poses are bounded where scans are inserted; here a far one only has to read zeros.
     if (!(std::abs(u) < 1e9 && std::abs(v) < 1e9)) return {};
-    const int ix = static_cast<int>(std::floor(u));
-    const int iy = static_cast<int>(std::floor(v));
+    const int ix = floorToInt(u);
+    const int iy = floorToInt(v);
     Corners c;
     c.fx = u - ix;
     c.fy = v - iy;

@@ -11,7 +11,7 @@ struct GridParams {
   double free_probability = 0.6;
   double occupied_probability = 0.9;
   double no_return_free_m = 0;
-  double field_sigma_m = 0.1;
+  double field_sigma_m = 0.07;
 };
 
 template <class V>

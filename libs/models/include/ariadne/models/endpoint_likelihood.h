@@ -45,6 +45,7 @@ class EndpointLikelihood {
     return table_[i] + (table_[i + 1] - table_[i]) * (field - i);
   }
   std::array<double, 257> table_;  // by field value, 0..255, and one more to interpolate
+  std::array<double, 256> slope_;  // d log likelihood / d (field / 255)
   double unknown_;
   double hit_weight_;
   double exponent_;  // field^exponent is the hit density

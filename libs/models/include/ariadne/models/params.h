@@ -6,8 +6,8 @@ namespace ariadne::models {
 
 /// Odometry noise, rotation-translation-rotation; grows with the net turn (doc/models.md).
 struct MotionParams {
-  double turn_per_turn = 0.1;
-  double turn_per_m_deg = 2;
+  double turn_per_turn = 0.3;
+  double turn_per_m_deg = 5;
   double travel_per_m = 0.1;
   double travel_per_turn_m = 0.03;
   double side_per_m = 0.04;
