@@ -170,10 +170,10 @@ TEST(IniWriter, RefusesWhatCannotBeReadBack) {
 TEST(IniWriter, AllParametersOfARunReadBack) {
   SlamParams params;
   params.filter.particles = 17;
-  params.matcher.hit_sigma_m = 0.1 + 0.2;
+  params.likelihood.hit_sigma_m = 0.1 + 0.2;
   const std::string text = ariadne::io::writeIni(params, "");
   SlamParams back;
   applyIni(back, ariadne::io::parseIni(text, "a.ini", IniDialect::strict));
   EXPECT_EQ(ariadne::io::writeIni(back, ""), text);
-  EXPECT_EQ(back.matcher.hit_sigma_m, 0.1 + 0.2);
+  EXPECT_EQ(back.likelihood.hit_sigma_m, 0.1 + 0.2);
 }

@@ -41,7 +41,7 @@ ParticleSet::ParticleSet(const FilterModels& models, const core::Parallel& paral
                          const mrpt::math::TPose2D& start)
     : models_(models),
       parallel_(parallel),
-      likelihood_(models.matcher, models.grid.field_sigma_m),
+      likelihood_(models.likelihood, models.grid.field_sigma_m),
       matcher_(models.matcher, models.filter.proposal_gain) {
   CParticleData first;
   first.log_w = 0;
@@ -91,8 +91,8 @@ void ParticleSet::predictMatchWeigh(const mrpt::obs::CActionCollection* action,
   const auto movement = action->getActionByClass<mrpt::obs::CActionRobotMovement2D>();
   ASSERT_(scan && movement);
   const models::Motion motion(movement->poseChange->getMeanVal().asTPose(), models_.motion);
-  points_ = models::thinned(grid::scanPoints(*scan, models_.grid.insert_range_m),
-                            static_cast<std::size_t>(models_.matcher.max_beams));
+  points_ = grid::thinned(grid::scanPoints(*scan, models_.grid.insert_range_m),
+                          static_cast<std::size_t>(models_.matcher.max_beams));
   shape_ = grid::makeScanShape(*scan, models_.grid);
   figures_ = {};
   figures_.evidence = evidenceOfPlace();

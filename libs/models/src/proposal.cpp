@@ -23,7 +23,7 @@ TPose2D PoseGaussian::sample(core::RandomStream& rng) const {
   return moved(mean, root * Eigen::Vector3d(a, b, c));
 }
 
-PoseGaussian fitProposal(const EndpointLikelihood& likelihood, const grid::OccupancyGrid& map,
+PoseGaussian fitProposal(const grid::EndpointLikelihood& likelihood, const grid::OccupancyGrid& map,
                          const std::vector<mrpt::math::TPoint2D>& points, const TPose2D& mode,
                          const PosePrior& prior, const Gains& gains) {
   PoseGaussian fit;

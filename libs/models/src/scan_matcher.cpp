@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "ariadne/grid/endpoint_likelihood.h"
 #include "ariadne/grid/field_sampler.h"
-#include "ariadne/models/endpoint_likelihood.h"
 #include "ariadne/models/motion_model.h"
 
 namespace ariadne::models {
@@ -153,7 +153,7 @@ Match ScanMatcher::operator()(const grid::OccupancyGrid& map, const std::vector<
                               const TPose2D& predicted, const Eigen::Matrix3d& prior) const {
   if (points.empty()) return {predicted, false, 0};
   const Problem problem{map, points, predicted, prior.inverse(),
-                        gain_ * kNominalBeams / static_cast<double>(points.size())};
+                        gain_ * grid::kNominalBeams / static_cast<double>(points.size())};
   const Candidate start = linearised<Candidate>(problem, predicted);
   Candidate best = climb(problem, start);
   const auto tryFrom = [&](const TPose2D& pose) {

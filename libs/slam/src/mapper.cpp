@@ -30,7 +30,7 @@ const SlamParams& validated(const SlamParams& params) {
 }
 
 filter::FilterModels modelsOf(const SlamParams& p) {
-  return {p.filter, p.motion, p.matcher, p.grid};
+  return {p.filter, p.motion, p.matcher, p.grid, p.likelihood};
 }
 
 /// Adds the seconds of its life to `sum`.

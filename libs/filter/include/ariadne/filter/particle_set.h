@@ -9,7 +9,7 @@
 #include "ariadne/core/parallel.h"
 #include "ariadne/filter/params.h"
 #include "ariadne/filter/particle.h"
-#include "ariadne/models/endpoint_likelihood.h"
+#include "ariadne/grid/endpoint_likelihood.h"
 #include "ariadne/models/motion_model.h"
 #include "ariadne/models/proposal.h"
 #include "ariadne/models/scan_matcher.h"
@@ -22,6 +22,7 @@ struct FilterModels {
   models::MotionParams motion;
   models::MatcherParams matcher;
   grid::GridParams grid;
+  grid::LikelihoodParams likelihood;
 };
 
 /// MRPT's options for our parameters; CParticleFilter reads them.
@@ -84,7 +85,7 @@ class ParticleSet
 
   FilterModels models_;
   const core::Parallel& parallel_;
-  models::EndpointLikelihood likelihood_;
+  grid::EndpointLikelihood likelihood_;
   models::ScanMatcher matcher_;
   std::size_t step_ = 0;
   Figures figures_;

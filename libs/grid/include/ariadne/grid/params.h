@@ -14,6 +14,13 @@ struct GridParams {
   double field_sigma_m = 0.07;
 };
 
+/// How well a scan fits a map, beam by beam.
+struct LikelihoodParams {
+  double hit_sigma_m = 0.1;
+  double hit_weight = 0.9;
+  double unknown_share = 0.3;
+};
+
 template <class V>
 void visitFields(V& v, GridParams& p) {
   v.number("resolution_m", p.resolution_m, {0.005, 2}, "side of a grid cell");
@@ -28,6 +35,16 @@ void visitFields(V& v, GridParams& p) {
   v.number("field_sigma_m", p.field_sigma_m, {0.01, 2},
            "width of the likelihood field about occupied cells that scans are matched on; wider "
            "pulls from farther");
+}
+
+template <class V>
+void visitFields(V& v, LikelihoodParams& p) {
+  v.number("hit_sigma_m", p.hit_sigma_m, {0.01, 2},
+           "standard deviation of an endpoint's distance to the nearest occupied cell");
+  v.number("hit_weight", p.hit_weight, {0.01, 0.999},
+           "share of beams expected to end on something mapped");
+  v.number("unknown_share", p.unknown_share, {0, 1},
+           "an endpoint in unknown space costs this share of one in free space");
 }
 
 }  // namespace ariadne::grid

@@ -1,4 +1,4 @@
-// Parameters of the motion model, the scan matcher and the likelihood.
+// Parameters of the motion model and the scan matcher.
 #pragma once
 #include "ariadne/core/fields.h"
 
@@ -15,7 +15,7 @@ struct MotionParams {
   double travel_floor_m = 0.005;
 };
 
-/// Scan matching and the likelihood of endpoints.
+/// Scan matching.
 struct MatcherParams {
   int max_beams = 180;
   int max_iterations = 12;
@@ -23,9 +23,6 @@ struct MatcherParams {
   double search_distance_m = 0.3;
   double sweep_below = 0.95;
   double search_below = 0.5;
-  double hit_sigma_m = 0.1;
-  double hit_weight = 0.9;
-  double unknown_share = 0.3;
 };
 
 template <class V>
@@ -58,12 +55,6 @@ void visitFields(V& v, MatcherParams& p) {
            "headings about the predicted one are tried when the mean field is under this");
   v.number("search_below", p.search_below, {0, 1},
            "the coarse search runs when the mean field under the endpoints is under this");
-  v.number("hit_sigma_m", p.hit_sigma_m, {0.01, 2},
-           "standard deviation of an endpoint's distance to the nearest occupied cell");
-  v.number("hit_weight", p.hit_weight, {0.01, 0.999},
-           "share of beams expected to end on something mapped");
-  v.number("unknown_share", p.unknown_share, {0, 1},
-           "an endpoint in unknown space costs this share of one in free space");
 }
 
 }  // namespace ariadne::models

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ariadne/core/random.h"
-#include "ariadne/models/endpoint_likelihood.h"
+#include "ariadne/grid/endpoint_likelihood.h"
 
 namespace ariadne::models {
 
@@ -36,7 +36,7 @@ struct PoseGaussian {
 };
 
 /// @param mode pose that maximises likelihood times prior, from the scan matcher.
-PoseGaussian fitProposal(const EndpointLikelihood& likelihood, const grid::OccupancyGrid& map,
+PoseGaussian fitProposal(const grid::EndpointLikelihood& likelihood, const grid::OccupancyGrid& map,
                          const std::vector<mrpt::math::TPoint2D>& points,
                          const mrpt::math::TPose2D& mode, const PosePrior& prior,
                          const Gains& gains);

@@ -27,6 +27,7 @@ struct SlamParams {
   filter::FilterParams filter;
   UpdateParams update;
   grid::GridParams grid;
+  grid::LikelihoodParams likelihood;
   models::MotionParams motion;
   models::MatcherParams matcher;
 };
@@ -37,6 +38,7 @@ void forEachSection(Params& params, F&& f) {
   f("filter", params.filter);
   f("update", params.update);
   f("grid", params.grid);
+  f("likelihood", params.likelihood);
   f("motion", params.motion);
   f("matcher", params.matcher);
 }

@@ -1,10 +1,10 @@
-#include "ariadne/models/endpoint_likelihood.h"
+#include "ariadne/grid/endpoint_likelihood.h"
 
 #include <cmath>
 
 #include "ariadne/grid/field_sampler.h"
 
-namespace ariadne::models {
+namespace ariadne::grid {
 
 using mrpt::math::TPoint2D;
 using mrpt::math::TPose2D;
@@ -16,7 +16,7 @@ std::vector<TPoint2D> thinned(const std::vector<TPoint2D>& points, std::size_t c
   return out;
 }
 
-EndpointLikelihood::EndpointLikelihood(const MatcherParams& params, double field_sigma_m)
+EndpointLikelihood::EndpointLikelihood(const LikelihoodParams& params, double field_sigma_m)
     : hit_weight_(params.hit_weight),
       // field = 255 exp(-d^2 / 2 f^2), so exp(-d^2 / 2 sigma^2) = (field / 255)^(f^2 / sigma^2).
       exponent_(std::pow(field_sigma_m / params.hit_sigma_m, 2)),
@@ -31,11 +31,10 @@ EndpointLikelihood::EndpointLikelihood(const MatcherParams& params, double field
   unknown_ = params.unknown_share * table_[0];
 }
 
-double EndpointLikelihood::operator()(const grid::OccupancyGrid& map,
-                                      const std::vector<TPoint2D>& points,
+double EndpointLikelihood::operator()(const OccupancyGrid& map, const std::vector<TPoint2D>& points,
                                       const TPose2D& map_from_robot) const {
   if (points.empty()) return 0;
-  grid::FieldSampler field(map);
+  FieldSampler field(map);
   const double c = std::cos(map_from_robot.phi);
   const double s = std::sin(map_from_robot.phi);
   double sum = 0;
@@ -48,12 +47,12 @@ double EndpointLikelihood::operator()(const grid::OccupancyGrid& map,
   return sum * (kNominalBeams / static_cast<double>(points.size()));
 }
 
-Eigen::Matrix3d EndpointLikelihood::information(const grid::OccupancyGrid& map,
+Eigen::Matrix3d EndpointLikelihood::information(const OccupancyGrid& map,
                                                 const std::vector<TPoint2D>& points,
                                                 const TPose2D& map_from_robot) const {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   if (points.empty()) return sum;
-  grid::FieldSampler field(map);
+  FieldSampler field(map);
   const double c = std::cos(map_from_robot.phi);
   const double s = std::sin(map_from_robot.phi);
   const double h = field_sigma_m_;
@@ -62,7 +61,7 @@ Eigen::Matrix3d EndpointLikelihood::information(const grid::OccupancyGrid& map,
     for (const TPoint2D& p : points) {
       const double rx = c * p.x - s * p.y;
       const double ry = s * p.x + c * p.y;
-      const grid::FieldSample f =
+      const FieldSample f =
           field.sample(map_from_robot.x + side[0] * h + rx, map_from_robot.y + side[1] * h + ry);
       const double slope = slope_[static_cast<int>(f.value * 255)];
       const Eigen::Vector3d gradient(slope * f.dx, slope * f.dy, slope * (f.dy * rx - f.dx * ry));
@@ -73,4 +72,4 @@ Eigen::Matrix3d EndpointLikelihood::information(const grid::OccupancyGrid& map,
          (0.5 * std::pow(hit_sigma_m_ / h, 2) * kNominalBeams / static_cast<double>(points.size()));
 }
 
-}  // namespace ariadne::models
+}  // namespace ariadne::grid

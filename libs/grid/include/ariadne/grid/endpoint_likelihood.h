@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "ariadne/grid/occupancy_grid.h"
-#include "ariadne/models/params.h"
+#include "ariadne/grid/params.h"
 
-namespace ariadne::models {
+namespace ariadne::grid {
 
 /// Scans count as if they had this many beams, however many they have; gains are per that.
 constexpr double kNominalBeams = 180;
@@ -24,18 +24,18 @@ std::vector<mrpt::math::TPoint2D> thinned(const std::vector<mrpt::math::TPoint2D
 
 class EndpointLikelihood {
  public:
-  EndpointLikelihood(const MatcherParams& params, double field_sigma_m);
+  EndpointLikelihood(const LikelihoodParams& params, double field_sigma_m);
 
   /// Log likelihood of the scan, scaled to kNominalBeams, untempered.
   /// @param points ends of beams, m, robot's frame.
-  double operator()(const grid::OccupancyGrid& map, const std::vector<mrpt::math::TPoint2D>& points,
+  double operator()(const OccupancyGrid& map, const std::vector<mrpt::math::TPoint2D>& points,
                     const mrpt::math::TPose2D& map_from_robot) const;
 
   /// Fisher information of the scan about (x, y, heading) near a pose that maximises the
   /// likelihood: the sum of gradient times its transpose over beams, taken one field width to each
   /// side, since at the peak itself the gradients vanish. Always positive semidefinite; second
   /// differences are not, and a clamped one samples the motion model's noise into good matches.
-  Eigen::Matrix3d information(const grid::OccupancyGrid& map,
+  Eigen::Matrix3d information(const OccupancyGrid& map,
                               const std::vector<mrpt::math::TPoint2D>& points,
                               const mrpt::math::TPose2D& map_from_robot) const;
 
@@ -53,4 +53,4 @@ class EndpointLikelihood {
   double hit_sigma_m_;
 };
 
-}  // namespace ariadne::models
+}  // namespace ariadne::grid
