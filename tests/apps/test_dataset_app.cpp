@@ -73,7 +73,7 @@ TEST_F(DatasetApp, InfoOfALabelThatIsNotUtf8) {
   Rawlog log;
   log.add(action({})).frame({scan(kBegin_s, "\xff\xfe")});
   ASSERT_EQ(run({"info", write("a.rawlog", log.bytes()), "--json"}), 0) << err.str();
-  EXPECT_NO_THROW(nlohmann::json::parse(out.str()));
+  EXPECT_TRUE(nlohmann::json::accept(out.str())) << out.str();
 }
 
 TEST_F(DatasetApp, ImportAndExportRoundTrip) {

@@ -186,3 +186,54 @@ TEST_F(RawlogReader, ReadsMrptsSampleAsMrptDoes) {
   }
   EXPECT_EQ(next, r.steps.size());
 }
+
+TEST_F(RawlogReader, ReadsHeadersOfBeforeMrpt055) {
+  // No end flags, and a name's length and the version are 32 bit numbers.
+  std::string bytes;
+  const auto put = [&](auto value) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof(value));
+  };
+  const auto header = [&](const std::string& name, std::int32_t version) {
+    put(static_cast<std::uint32_t>(name.size()));
+    bytes += name;
+    put(version);
+  };
+  for (int i = 0; i < 3; ++i) {
+    header("CActionCollection", 0);
+    put(std::uint32_t{1});
+    header("CActionRobotMovement2D", 4);
+    put(std::int32_t{0});
+    header("CPose2D", 0);
+    for (const float v : {0.5F, 0.0F, 0.1F}) put(v);
+    bytes.append(48, '\0');             // the motion model
+    bytes.append(1 + 8 + 1 + 8, '\0');  // velocities, encoders
+    header("CSensorialFrame", 1);
+    put(std::uint32_t{0});
+    put(std::uint32_t{2});
+    header("CObservationImage", 3);
+    bytes.append(5000, '\x11');
+    header("CObservation2DRangeScan", 3);
+    put(3.0F);
+    put(std::uint8_t{1});
+    put(30.0F);
+    header("CPose3D", 0);
+    header("CMatrix", 0);
+    put(std::uint32_t{4});
+    put(std::uint32_t{4});
+    for (int k = 0; k < 16; ++k) put(k % 5 == 0 ? 1.0F : k == 3 ? 0.2F : 0.0F);
+    header("CMatrix", 0);
+    put(std::uint64_t{0});
+    put(std::uint32_t{3});
+    for (const float range : {1.0F, 2.0F, 3.0F}) put(range);
+    bytes.append(3, '\x01');
+    put(0.01F);
+    put(std::int64_t{130'000'000'000'000'000} + i);
+  }
+  const Result r = readLog(bytes);
+  ASSERT_EQ(r.steps.size(), 3U) << r.error;
+  EXPECT_NEAR(r.steps[0].odom_from_robot.x, 0.5, 1e-6);
+  EXPECT_NEAR(r.steps[2].odom_from_robot.phi, 0.3, 1e-6);
+  EXPECT_NEAR(r.steps[2].scan->sensorPose.x(), 0.2, 1e-6);
+  EXPECT_EQ(r.steps[2].scan->getScanRange(2), 3);
+  EXPECT_TRUE(r.warnings.empty());
+}

@@ -94,7 +94,7 @@ class Steps : public StepSource {
         scan.timestamp = clockOfSeconds(step.time_s);
       }
       step.scan = laser.scan;
-      gate_.push(step.time_s, std::move(step));
+      gate_.push(last_time_s_, std::move(step));
     }
   }
 
@@ -111,7 +111,7 @@ class Steps : public StepSource {
       if (found.size() < 12) found.push_back(fmt::format("{} {}", count, name));
     const std::string contents =
         found.empty() ? "nothing" : fmt::format("{}", fmt::join(found, ", "));
-    const auto notes = warnings();
+    const auto notes = datasetWarnings(counts_, *records_);
     const std::string details = notes.empty() ? "" : fmt::format(" [{}]", fmt::join(notes, "; "));
     if (labels_.empty())
       return fmt::format("no 2D laser scan in this {} (found: {}){}", records_->format(), contents,
