@@ -8,7 +8,7 @@ namespace {
 
 constexpr const char* kHead = R"(# Parameters of ariadne-slam
 
-Made by `ariadne-slam --print-parameters > doc/parameters.md`; a test compares the two.
+Made by `scripts/renew-parameters`; a test compares it with the program.
 
 A value comes from the defaults below, then the INI, then `--set section.key=value` (in order), then
 the dedicated options (`--particles`, `--seed`, `--threads`, `--out`, `--no-pictures`, DATASET). The

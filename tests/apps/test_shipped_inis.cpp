@@ -11,17 +11,25 @@ class Shipped : public SlamApp {
   fs::path source = std::getenv("ARIADNE_SOURCE_DIR") ? std::getenv("ARIADNE_SOURCE_DIR") : ".";
 };
 
-TEST_F(Shipped, InisLoadAndNameEveryKey) {
+/// The lines of an INI that are no comment; [dataset] file differs from log to log.
+std::string settings(const std::string& ini) {
+  std::istringstream in(ini);
+  std::string out;
+  for (std::string line; std::getline(in, line);) {
+    line.erase(line.find_last_not_of(' ') + 1);
+    if (!line.empty() && line[0] != '#' && line.rfind("file =", 0) != 0) out += line + "\n";
+  }
+  return out;
+}
+
+TEST_F(Shipped, InisNameEveryKeyWithItsDefault) {
+  ASSERT_EQ(run({"/dev/null", "--print-config"}), 0) << err;
+  const std::string defaults = settings(out);
   std::size_t found = 0;
   for (const auto& file : fs::directory_iterator(source / "ini/slam")) {
-    ASSERT_EQ(run({file.path().string(), "--print-config"}), 0) << err;
-    const std::string text = readWhole(file.path());
-    std::istringstream config(out);
-    for (std::string line; std::getline(config, line);) {
-      if (line.empty() || line[0] == '#') continue;
-      const std::string name = "\n" + line.substr(0, line.find('=')) + (line[0] == '[' ? "" : "=");
-      EXPECT_NE(text.find(name), std::string::npos) << file.path() << " lacks " << line;
-    }
+    EXPECT_EQ(run({file.path().string(), "--print-config"}), 0) << err;
+    EXPECT_EQ(settings(readWhole(file.path())), defaults)
+        << file.path() << ": renew it with scripts/renew-parameters";
     ++found;
   }
   EXPECT_GE(found, 2U);
@@ -30,5 +38,5 @@ TEST_F(Shipped, InisLoadAndNameEveryKey) {
 TEST_F(Shipped, ParametersPageIsUpToDate) {
   ASSERT_EQ(run({"--print-parameters"}), 0);
   EXPECT_EQ(readWhole(source / "doc/parameters.md"), out)
-      << "renew it: ariadne-slam --print-parameters > doc/parameters.md";
+      << "renew it with scripts/renew-parameters";
 }
