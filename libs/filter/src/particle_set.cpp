@@ -38,15 +38,16 @@ CParticleFilter::TParticleFilterOptions particleFilterOptions(const FilterParams
 }
 
 ParticleSet::ParticleSet(const FilterModels& models, const core::Parallel& parallel,
-                         const mrpt::math::TPose2D& start)
+                         const mrpt::math::TPose2D& start, const grid::OccupancyGrid& map)
     : models_(models),
       parallel_(parallel),
       likelihood_(models.likelihood, models.grid.field_sigma_m),
-      matcher_(models.matcher, models.filter.proposal_gain) {
+      matcher_(models.matcher, models.filter.proposal_gain),
+      map_is_known_(!map.knownBox().empty()) {
   CParticleData first;
   first.log_w = 0;
   first.d.map_from_robot = start;
-  first.d.map = grid::OccupancyGrid(models.grid);
+  first.d.map = map;
   m_particles.assign(static_cast<std::size_t>(models.filter.particles), first);
 }
 
@@ -127,7 +128,7 @@ ParticleSet::Outcome ParticleSet::propose(std::size_t i, const models::Motion& m
   Outcome out;
   const models::PosePrior prior{motion.mean(particle.map_from_robot),
                                 motion.covariance(particle.map_from_robot)};
-  if (step_ == 0) {  // nothing to match against
+  if (!map_is_known_) {
     out.pose = prior.mean;
     return out;
   }
@@ -181,6 +182,7 @@ void ParticleSet::insertScan(std::size_t checkpoint_updates) {
   });
   for (std::size_t i = 0; i < size(); ++i)
     if (twin_[i] != i) m_particles[i].d = m_particles[twin_[i]].d;
+  map_is_known_ = true;
   ++step_;
 }
 

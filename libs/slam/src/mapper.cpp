@@ -60,11 +60,24 @@ void seedMrpt(std::uint64_t seed, std::size_t step) {
   mrpt::random::getRandomGenerator().randomize(stream.bits());
 }
 
+/// Every scan of the simple map at the mean of its pose.
+grid::OccupancyGrid gridOf(const mrpt::maps::CSimpleMap& known, const grid::GridParams& params) {
+  grid::OccupancyGrid map(params);
+  for (const auto& [pose, frame] : known)
+    for (const auto& observation : *frame)
+      if (const auto* scan =
+              dynamic_cast<const mrpt::obs::CObservation2DRangeScan*>(observation.get()))
+        map.insert(grid::makeScanShape(*scan, params), TPose2D(pose->getMeanVal().asTPose()));
+  return map;
+}
+
 }  // namespace
 
 struct Mapper::Impl {
-  Impl(const SlamParams& p, int threads)
-      : params(validated(p)), parallel(threads), particles(modelsOf(params), parallel, {0, 0, 0}) {
+  Impl(const SlamParams& p, int threads, const mrpt::maps::CSimpleMap& known, const TPose2D& start)
+      : params(validated(p)),
+        parallel(threads),
+        particles(modelsOf(params), parallel, start, gridOf(known, params.grid)) {
     particle_filter.m_options = filter::particleFilterOptions(params.filter);
   }
 
@@ -121,8 +134,10 @@ StepReport Mapper::Impl::update(const models::SensorStep& step) {
   return report;
 }
 
-Mapper::Mapper(const SlamParams& params, int threads)
-    : impl_(std::make_unique<Impl>(params, threads)) {}
+Mapper::Mapper(const SlamParams& params, int threads) : Mapper(params, threads, {}, {0, 0, 0}) {}
+Mapper::Mapper(const SlamParams& params, int threads, const mrpt::maps::CSimpleMap& known,
+               const TPose2D& start)
+    : impl_(std::make_unique<Impl>(params, threads, known, start)) {}
 Mapper::~Mapper() = default;
 
 std::optional<StepReport> Mapper::process(const models::SensorStep& step) {
@@ -137,9 +152,13 @@ mrpt::maps::COccupancyGridMap2D Mapper::map() const {
   return grid::toMrpt(impl_->particles[impl_->particles.best()].map);
 }
 
-models::Trajectory Mapper::path() const {
-  return posePath(impl_->records, impl_->particles[impl_->particles.best()].ancestor);
+models::Trajectory Mapper::path() const { return pathOf(impl_->particles.best()); }
+
+models::Trajectory Mapper::pathOf(std::size_t particle) const {
+  return posePath(impl_->records, impl_->particles[particle].ancestor);
 }
+
+const filter::ParticleSet& Mapper::particles() const { return impl_->particles; }
 
 mrpt::maps::CSimpleMap Mapper::simpleMap() const {
   std::vector<TPose2D> poses(impl_->scans.size());

@@ -34,9 +34,9 @@ class ParticleSet
           ParticleSet, mrpt::bayes::CParticleFilterData<
                            Particle, mrpt::bayes::particle_storage_mode::VALUE>::CParticleList> {
  public:
-  /// All particles at `start` with an empty map. `parallel` must outlive the set.
+  /// All particles at `start` with a copy of `map`. `parallel` must outlive the set.
   ParticleSet(const FilterModels& models, const core::Parallel& parallel,
-              const mrpt::math::TPose2D& start);
+              const mrpt::math::TPose2D& start, const grid::OccupancyGrid& map);
 
   std::size_t size() const { return m_particles.size(); }
   const Particle& operator[](std::size_t i) const { return m_particles[i].d; }
@@ -88,6 +88,7 @@ class ParticleSet
   grid::EndpointLikelihood likelihood_;
   models::ScanMatcher matcher_;
   std::size_t step_ = 0;
+  bool map_is_known_;  // something to match against
   Figures figures_;
   std::vector<mrpt::math::TPoint2D> points_;  // of the update in progress, robot's frame
   grid::ScanShape shape_;

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "ariadne/filter/particle_set.h"
 #include "ariadne/models/sensor_step.h"
 #include "ariadne/models/stamped_pose.h"
 #include "ariadne/slam/params.h"
@@ -25,6 +26,9 @@ class Mapper {
  public:
   /// @param threads 0 takes one a core. Throws core::UsageError when a parameter is out of bounds.
   Mapper(const SlamParams& params, int threads);
+  /// Goes on in a known map: scans with poses, and where the robot is now (map_from_robot).
+  Mapper(const SlamParams& params, int threads, const mrpt::maps::CSimpleMap& known,
+         const mrpt::math::TPose2D& start);
   ~Mapper();
   Mapper(const Mapper&) = delete;
   Mapper& operator=(const Mapper&) = delete;
@@ -40,6 +44,10 @@ class Mapper {
   models::Trajectory path() const;
   /// The scans that the filter used with the poses of s*, for MRPT's tools.
   mrpt::maps::CSimpleMap simpleMap() const;
+  /// The current hypotheses.
+  const filter::ParticleSet& particles() const;
+  /// The path of any hypothesis, as path().
+  models::Trajectory pathOf(std::size_t particle) const;
   StageTimes times() const;
   std::size_t updates() const;
 
