@@ -1,8 +1,6 @@
 // How a program for MRPT's mapper takes Ariadne: the two lines marked "was" are all that changed.
-//
-//   ariadne-example-builder /usr/share/mrpt/config_files/rbpf-slam/gridmapping_optimal_sampling.ini
-//   \
-//       LOG.rawlog map.simplemap
+// Try it: ariadne-example-builder STOCK.ini LOG.rawlog map.simplemap, with an INI from
+// /usr/share/mrpt/config_files/rbpf-slam.
 #include <mrpt/config/CConfigFile.h>
 #include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CRawlog.h>
