@@ -30,7 +30,8 @@ int main(int argc, char** argv) {
     mrpt::obs::CActionCollection::Ptr action;
     mrpt::obs::CSensoryFrame::Ptr observations;
     std::size_t inserted = 0;
-    for (std::size_t entry = 0; log.getActionObservationPair(action, observations, entry);) {
+    for (std::size_t entry = 0;
+         entry + 1 < log.size() && log.getActionObservationPair(action, observations, entry);) {
       builder.processActionObservation(*action, *observations);
       inserted += builder.m_statsLastIteration.observationsInserted;
     }

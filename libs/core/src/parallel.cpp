@@ -8,6 +8,16 @@
 
 namespace ariadne::core {
 
+namespace {
+
+/// TBB allows as many threads as there are cores unless told otherwise, and warns on stderr.
+void allowMoreThreadsThanCores() {
+  constexpr std::size_t kMost = 256;
+  static const tbb::global_control control(tbb::global_control::max_allowed_parallelism, kMost);
+}
+
+}  // namespace
+
 struct Parallel::Arena {
   explicit Arena(int threads) : arena(threads) {}
   tbb::task_arena arena;
@@ -15,7 +25,9 @@ struct Parallel::Arena {
 
 Parallel::Parallel(int threads)
     : threads_(threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency())) {
-  if (threads_ > 1) arena_ = std::make_unique<Arena>(threads_);
+  if (threads_ <= 1) return;
+  allowMoreThreadsThanCores();
+  arena_ = std::make_unique<Arena>(threads_);
 }
 
 Parallel::~Parallel() = default;

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "ariadne/filter/residual.h"
+
 namespace ariadne::filter {
 
 using mrpt::bayes::CParticleFilter;
@@ -157,7 +159,13 @@ ParticleSet::Outcome ParticleSet::propose(std::size_t i, const models::Motion& m
   return out;
 }
 
-void ParticleSet::performSubstitution(const std::vector<size_t>& indices) {
+void ParticleSet::performSubstitution(const std::vector<size_t>& drawn) {
+  std::vector<size_t> indices = drawn;
+  if (models_.filter.resampling == Resampling::residual) {
+    core::RandomStream rng(models_.filter.seed, static_cast<std::uint32_t>(step_), 0,
+                           core::Purpose::resampling);
+    indices = residualIndices(weights(), rng);
+  }
   CParticleList next;
   std::vector<std::size_t> first_child(size(), indices.size());
   twin_.clear();

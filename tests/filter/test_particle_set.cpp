@@ -1,0 +1,175 @@
+#include <gtest/gtest.h>
+#include <mrpt/bayes/CParticleFilter.h>
+#include <mrpt/obs/CActionCollection.h>
+#include <mrpt/obs/CActionRobotMovement2D.h>
+#include <mrpt/obs/CSensoryFrame.h>
+#include <mrpt/poses/CPosePDFGaussian.h>
+#include <mrpt/random/RandomGenerators.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "ariadne/filter/particle_set.h"
+#include "room.h"
+
+using namespace ariadne;
+using filter::ParticleSet;
+using mrpt::math::TPose2D;
+
+namespace {
+
+/// A filter that drives a circle in the room, one update a call.
+struct Drive {
+  explicit Drive(filter::FilterModels m, int threads = 1)
+      : models(std::move(m)),
+        parallel(threads),
+        set(models, parallel, {}, grid::OccupancyGrid(models.grid)) {
+    pf.m_options = filter::particleFilterOptions(models.filter);
+  }
+  void step() {
+    const TPose2D increment(0.25, 0, 0.25);
+    truth = models::compose(truth, increment);
+    mrpt::obs::CActionRobotMovement2D movement;
+    movement.poseChange.get_ptr() =
+        mrpt::poses::CPosePDFGaussian::Create(mrpt::poses::CPose2D(0.26, 0.01, 0.24));
+    mrpt::obs::CActionCollection action;
+    action.insert(movement);
+    mrpt::obs::CSensoryFrame frame;
+    frame.insert(test::scanIn(world, truth));
+    pf.executeOn(set, &action, &frame, &stats);
+    set.insertScan(5);
+  }
+  filter::FilterModels models;
+  core::Parallel parallel;
+  ParticleSet set;
+  mrpt::bayes::CParticleFilter pf;
+  mrpt::bayes::CParticleFilter::TParticleFilterStats stats;
+  mrpt::maps::COccupancyGridMap2D world = test::roomWorld();
+  TPose2D truth{-1, -0.8, 0};
+};
+
+filter::FilterModels modelsWith(filter::Proposal proposal, int particles = 12) {
+  filter::FilterModels m;
+  m.filter.particles = particles;
+  m.filter.proposal = proposal;
+  return m;
+}
+
+}  // namespace
+
+TEST(ParticleSet, SameBitsOnAnyNumberOfThreads) {
+  std::vector<std::unique_ptr<Drive>> drives;
+  for (int threads : {1, 2, 8}) {
+    drives.push_back(std::make_unique<Drive>(modelsWith(filter::Proposal::improved), threads));
+    drives.back()->models.filter.beta = 0.9;
+    drives.back()->pf.m_options.BETA = 0.95;  // resample often
+    for (int i = 0; i < 15; ++i) {
+      mrpt::random::getRandomGenerator().randomize(i);
+      drives.back()->step();
+    }
+  }
+  const ParticleSet& one = drives[0]->set;
+  for (std::size_t d = 1; d < drives.size(); ++d)
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      const ParticleSet& other = drives[d]->set;
+      EXPECT_EQ(one[i].map_from_robot.x, other[i].map_from_robot.x);
+      EXPECT_EQ(one[i].map_from_robot.phi, other[i].map_from_robot.phi);
+      EXPECT_EQ(one[i].accumulated, other[i].accumulated);
+      EXPECT_EQ(one.getW(i), other.getW(i));
+      const auto box = one[i].map.knownBox();
+      for (int y = box.y0; y < box.y1; ++y)
+        for (int x = box.x0; x < box.x1; ++x)
+          ASSERT_EQ(one[i].map.at({x, y}), other[i].map.at({x, y}));
+    }
+}
+
+TEST(ParticleSet, EveryProposalFollowsTheRobot) {
+  for (const auto proposal :
+       {filter::Proposal::odometry, filter::Proposal::scan_match, filter::Proposal::improved}) {
+    Drive drive(modelsWith(proposal, 30));
+    for (int i = 0; i < 12; ++i) drive.step();
+    // The first update is where the map begins: all else is relative to it.
+    const TPose2D first = models::compose(TPose2D(-1, -0.8, 0), {0.25, 0, 0.25});
+    const TPose2D moved = models::relativePose(first, drive.truth);
+    const TPose2D start(0.26, 0.01, 0.24);
+    const TPose2D expected = models::compose(start, moved);
+    const TPose2D pose = drive.set[drive.set.best()].map_from_robot;
+    // By odometry alone it would be 0.3 m off; blind sampling keeps a few centimetres of noise.
+    const double bound = proposal == filter::Proposal::odometry ? 0.2 : 0.05;
+    EXPECT_LT(std::hypot(pose.x - expected.x, pose.y - expected.y), bound)
+        << static_cast<int>(proposal);
+  }
+}
+
+TEST(ParticleSet, ResamplingKeepsLinesMapsAndAccumulatedWeights) {
+  Drive drive(modelsWith(filter::Proposal::improved));
+  for (int i = 0; i < 3; ++i) drive.step();
+  const ParticleSet before = drive.set;
+  drive.set.performSubstitution({0, 0, 3, 3, 3, 5, 6, 7, 8, 9, 10, 11});
+  const std::vector<std::size_t> parents{0, 0, 3, 3, 3, 5, 6, 7, 8, 9, 10, 11};
+  for (std::size_t i = 0; i < parents.size(); ++i) {
+    EXPECT_EQ(drive.set[i].ancestor, before[parents[i]].ancestor);
+    EXPECT_EQ(drive.set[i].accumulated, before[parents[i]].accumulated);
+    EXPECT_EQ(drive.set.getW(i), 0);
+    EXPECT_EQ(drive.set[i].map.cells().tile(0, 0), before[parents[i]].map.cells().tile(0, 0));
+  }
+}
+
+TEST(ParticleSet, TheBestIsTheLowestOfEquals) {
+  Drive drive(modelsWith(filter::Proposal::scan_match));  // all particles are the same
+  for (int i = 0; i < 3; ++i) drive.step();
+  EXPECT_EQ(drive.set.best(), 0U);
+}
+
+TEST(ParticleSet, NeffIsOneOverTheSumOfSquaredWeights) {
+  Drive drive(modelsWith(filter::Proposal::improved));
+  drive.pf.m_options.BETA = 0;  // never resample
+  for (int i = 0; i < 5; ++i) drive.step();
+  const auto weights = drive.set.weights();
+  EXPECT_NEAR(std::accumulate(weights.begin(), weights.end(), 0.0), 1, 1e-12);
+  double squares = 0;
+  for (const double w : weights) squares += w * w;
+  EXPECT_NEAR(drive.stats.ESS_beforeResample * 12, 1 / squares, 1e-9);
+}
+
+TEST(ParticleSet, CheckpointsHoldTheMapOfTheirStep) {
+  Drive drive(modelsWith(filter::Proposal::improved));
+  std::vector<grid::OccupancyGrid> maps;
+  for (int i = 0; i < 11; ++i) {
+    drive.step();
+    maps.push_back(drive.set[0].map);
+  }
+  const auto* checkpoint = drive.set[0].checkpoints.get();
+  ASSERT_TRUE(checkpoint);
+  EXPECT_EQ(checkpoint->step, 10U);
+  ASSERT_TRUE(checkpoint->earlier);
+  EXPECT_EQ(checkpoint->earlier->step, 5U);
+  const auto box = checkpoint->map.knownBox();
+  for (int y = box.y0; y < box.y1; ++y)
+    for (int x = box.x0; x < box.x1; ++x)
+      ASSERT_EQ(checkpoint->map.at({x, y}), maps[10].at({x, y}));
+}
+
+// Each of MRPT's methods draws particle i about N w_i times. Means over 2000 draws of 10: the
+// standard error is at most sqrt(10 * 0.25 / 2000) = 0.035, the bound 5 of them.
+TEST(Resampling, AllFourMethodsAreUnbiased) {
+  const std::vector<double> logs{0, -1, -2, -0.5, -3, -0.1, -1.5, -2.5, -4, -0.7};
+  double sum = 0;
+  for (const double l : logs) sum += std::exp(l);
+  for (const auto method : {filter::Resampling::multinomial, filter::Resampling::residual,
+                            filter::Resampling::stratified, filter::Resampling::systematic}) {
+    filter::FilterParams params;
+    params.resampling = method;
+    const auto mrpt_method = filter::particleFilterOptions(params).resamplingMethod;
+    std::vector<double> mean(logs.size(), 0);
+    mrpt::random::getRandomGenerator().randomize(7);
+    const int draws = 2000;
+    for (int d = 0; d < draws; ++d) {
+      std::vector<size_t> drawn;
+      mrpt::bayes::CParticleFilterCapable::computeResampling(mrpt_method, logs, drawn);
+      for (const auto i : drawn) mean[i] += 1.0 / draws;
+    }
+    for (std::size_t i = 0; i < logs.size(); ++i)
+      EXPECT_NEAR(mean[i], 10 * std::exp(logs[i]) / sum, 0.18) << static_cast<int>(method);
+  }
+}

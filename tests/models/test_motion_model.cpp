@@ -1,0 +1,60 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "ariadne/models/motion_model.h"
+
+using namespace ariadne;
+using mrpt::math::TPose2D;
+
+TEST(Poses, RelativeUndoesCompose) {
+  const TPose2D a(1, -2, 2.5);
+  const TPose2D b(0.4, 0.7, 1.9);
+  const TPose2D c = models::relativePose(a, models::compose(a, b));
+  EXPECT_NEAR(c.x, b.x, 1e-12);
+  EXPECT_NEAR(c.y, b.y, 1e-12);
+  EXPECT_NEAR(c.phi, b.phi, 1e-12);
+}
+
+// N = 20000: the standard error of a variance is 1 % of it; the bound is 5 of them.
+TEST(Motion, SamplesHaveTheStatedCovariance) {
+  const TPose2D before(3, 1, 0.7);
+  const models::Motion motion({0.5, 0.1, 0.3}, {});
+  const TPose2D mean = motion.mean(before);
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  const int n = 20000;
+  for (int i = 0; i < n; ++i) {
+    core::RandomStream rng(1, 0, static_cast<std::uint32_t>(i), core::Purpose::motion);
+    const TPose2D s = motion.sample(before, rng);
+    const Eigen::Vector3d d(s.x - mean.x, s.y - mean.y, s.phi - mean.phi);
+    sum += d * d.transpose();
+  }
+  const Eigen::Matrix3d expected = motion.covariance(before);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      EXPECT_NEAR(sum(i, j) / n, expected(i, j), 0.05 * std::sqrt(expected(i, i) * expected(j, j)));
+}
+
+// Rotation-translation-rotation would see two turns of 90 degrees here, and noise for both.
+TEST(Motion, ACentimetreSidewaysIsNoTurn) {
+  const models::MotionParams params;
+  const models::Motion sideways({0, 0.01, 0.02}, params);
+  EXPECT_LT(std::sqrt(sideways.covariance({})(2, 2)), 0.02);
+}
+
+TEST(Motion, NoiseGrowsWithDistanceAndTurn) {
+  const auto spread = [](double x, double turn) {
+    return models::Motion({x, 0, turn}, {}).covariance({}).diagonal().eval();
+  };
+  EXPECT_GT(spread(1, 0)[0], spread(0.5, 0)[0]);
+  EXPECT_GT(spread(1, 0)[2], spread(0.5, 0)[2]);
+  EXPECT_GT(spread(0.5, 0.5)[2], spread(0.5, 0.2)[2]);
+}
+
+TEST(Motion, CovarianceTurnsWithTheRobot) {
+  const models::Motion motion({1, 0, 0}, {});
+  const auto ahead = motion.covariance({0, 0, 0});
+  const auto turned = motion.covariance({0, 0, M_PI / 2});
+  EXPECT_NEAR(ahead(0, 0), turned(1, 1), 1e-12);
+  EXPECT_NEAR(ahead(1, 1), turned(0, 0), 1e-12);
+}
