@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "ariadne/filter/particle_set.h"
+#include "ariadne/filter/residual.h"
 #include "room.h"
 
 using namespace ariadne;
@@ -150,26 +151,38 @@ TEST(ParticleSet, CheckpointsHoldTheMapOfTheirStep) {
       ASSERT_EQ(checkpoint->map.at({x, y}), maps[10].at({x, y}));
 }
 
-// Each of MRPT's methods draws particle i about N w_i times. Means over 2000 draws of 10: the
-// standard error is at most sqrt(10 * 0.25 / 2000) = 0.035, the bound 5 of them.
+// Each method draws particle i about N w_i times. Means over 2000 draws of 10: the standard error
+// is at most sqrt(10 * 0.25 / 2000) = 0.035, the bound 5 of them.
 TEST(Resampling, AllFourMethodsAreUnbiased) {
   const std::vector<double> logs{0, -1, -2, -0.5, -3, -0.1, -1.5, -2.5, -4, -0.7};
-  double sum = 0;
-  for (const double l : logs) sum += std::exp(l);
+  std::vector<double> weights;
+  mrpt::bayes::CParticleFilterCapable::log2linearWeights(logs, weights);
+  mrpt::random::getRandomGenerator().randomize(7);
+  core::RandomStream rng(7, 0, 0, core::Purpose::resampling);
   for (const auto method : {filter::Resampling::multinomial, filter::Resampling::residual,
                             filter::Resampling::stratified, filter::Resampling::systematic}) {
     filter::FilterParams params;
     params.resampling = method;
     const auto mrpt_method = filter::particleFilterOptions(params).resamplingMethod;
     std::vector<double> mean(logs.size(), 0);
-    mrpt::random::getRandomGenerator().randomize(7);
     const int draws = 2000;
     for (int d = 0; d < draws; ++d) {
       std::vector<size_t> drawn;
-      mrpt::bayes::CParticleFilterCapable::computeResampling(mrpt_method, logs, drawn);
+      if (method == filter::Resampling::residual)
+        drawn = filter::residualIndices(weights, rng);
+      else
+        mrpt::bayes::CParticleFilterCapable::computeResampling(mrpt_method, logs, drawn);
+      ASSERT_EQ(drawn.size(), logs.size());
       for (const auto i : drawn) mean[i] += 1.0 / draws;
     }
     for (std::size_t i = 0; i < logs.size(); ++i)
-      EXPECT_NEAR(mean[i], 10 * std::exp(logs[i]) / sum, 0.18) << static_cast<int>(method);
+      EXPECT_NEAR(mean[i], 10 * weights[i], 0.18) << static_cast<int>(method);
   }
+}
+
+TEST(Residual, WholePartsAreCertain) {
+  core::RandomStream rng(1, 0, 0, core::Purpose::resampling);
+  EXPECT_EQ(filter::residualIndices({0.5, 0.25, 0.25, 0}, rng),
+            (std::vector<std::size_t>{0, 0, 1, 2}));
+  EXPECT_EQ(filter::residualIndices({1}, rng), (std::vector<std::size_t>{0}));
 }
