@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <ostream>
 
 namespace ariadne::slam_app {
@@ -11,7 +12,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 std::string minutes(double seconds) {
-  const auto s = static_cast<long>(std::clamp(seconds, 0.0, 1e9) + 0.5);
+  const auto s = std::lround(std::clamp(seconds, 0.0, 1e9));
   if (s >= 3600) return fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
   return fmt::format("{}:{:02}", s / 60, s % 60);
 }

@@ -75,6 +75,7 @@ std::size_t choiceOf(const IniEntry& entry, const std::vector<std::string>& name
 core::UsageError unknownSection(const std::string& section, const std::string& where,
                                 const std::vector<KnownSection>& known) {
   std::vector<std::string> names;
+  names.reserve(known.size());
   for (const KnownSection& k : known) names.push_back(k.name);
   return core::UsageError(fmt::format("{}: [{}]: no such section; the nearest is [{}]", where,
                                       printable(section), nearestName(section, names)));
