@@ -1,0 +1,110 @@
+#include "ariadne/io/map_files.h"
+
+#include <fmt/format.h>
+#include <mrpt/io/CMemoryStream.h>
+#include <mrpt/serialization/CArchive.h>
+#include <zlib.h>
+
+#include <cmath>
+
+#include "ariadne/core/error.h"
+#include "ariadne/io/png.h"
+#include "ariadne/io/whole_file.h"
+
+namespace ariadne::io {
+namespace {
+
+namespace fs = std::filesystem;
+using Grid = mrpt::maps::COccupancyGridMap2D;
+
+constexpr std::uint8_t kFree = 254;
+constexpr std::uint8_t kOccupied = 0;
+constexpr std::uint8_t kUnknown = 205;
+
+/// One pixel a cell, the northernmost row first.
+template <class Shade>
+Picture picture(const Grid& map, Shade&& shade) {
+  Picture p;
+  p.width = map.getSizeX();
+  p.height = map.getSizeY();
+  p.pixels.reserve(std::size_t{p.width} * p.height);
+  for (std::uint32_t y = p.height; y-- > 0;) {
+    const auto* row = map.getRow(static_cast<int>(y));
+    for (std::uint32_t x = 0; x < p.width; ++x) p.pixels.push_back(shade(row[x]));
+  }
+  return p;
+}
+
+struct Deflater {
+  z_stream stream{};
+  Deflater() {
+    constexpr int kGzip = 16;
+    if (deflateInit2(&stream, 1, Z_DEFLATED, MAX_WBITS + kGzip, 8, Z_DEFAULT_STRATEGY) != Z_OK)
+      throw core::Error("cannot compress: out of memory");
+  }
+  ~Deflater() { deflateEnd(&stream); }
+  Deflater(const Deflater&) = delete;
+  Deflater& operator=(const Deflater&) = delete;
+};
+
+/// In memory: MRPT's own gzip file hides what fails when it is closed, such as a full disk.
+std::string gzip(const void* data, std::size_t size) {
+  Deflater d;
+  d.stream.next_in = static_cast<Bytef*>(const_cast<void*>(data));
+  std::string out;
+  const auto* const end = static_cast<const Bytef*>(data) + size;
+  char block[1 << 16];
+  int state = Z_OK;
+  while (state != Z_STREAM_END) {
+    const auto left = static_cast<std::size_t>(end - d.stream.next_in);
+    d.stream.avail_in = static_cast<uInt>(std::min<std::size_t>(left, 1U << 30));
+    d.stream.next_out = reinterpret_cast<Bytef*>(block);
+    d.stream.avail_out = sizeof(block);
+    state = deflate(&d.stream, left <= (1U << 30) ? Z_FINISH : Z_NO_FLUSH);
+    if (state == Z_STREAM_ERROR) throw core::Error("cannot compress: zlib's stream error");
+    out.append(block, sizeof(block) - d.stream.avail_out);
+  }
+  return out;
+}
+
+template <class T>
+void writeSerialised(const fs::path& file, const T& object) {
+  mrpt::io::CMemoryStream memory;
+  auto archive = mrpt::serialization::archiveFrom(memory);
+  archive << object;
+  writeWhole(file, gzip(memory.getRawBufferData(), memory.getTotalBytesCount()));
+}
+
+/// Decimal of a float of MRPT's: 0.05, not 0.0500000007.
+double decimal(float v) { return std::round(static_cast<double>(v) * 1e6) / 1e6; }
+
+}  // namespace
+
+void writeMapPng(const fs::path& file, const Grid& map) {
+  writeWhole(file, encodePng(picture(map, [](Grid::cellType c) { return Grid::l2p_255(c); })));
+}
+
+void writeRosMap(const fs::path& pgm_file, const Grid& map) {
+  const Picture p = picture(map, [](Grid::cellType c) {
+    return c > 0 ? kFree : c < 0 ? kOccupied : kUnknown;
+  });
+  std::string pgm = fmt::format("P5\n{} {}\n255\n", p.width, p.height);
+  pgm.append(reinterpret_cast<const char*>(p.pixels.data()), p.pixels.size());
+  writeWhole(pgm_file, pgm);
+
+  fs::path yaml = pgm_file;
+  yaml.replace_extension(".yaml");
+  // 205 is 0.196 occupied: well between the thresholds, whichever way a loader rounds.
+  writeWhole(yaml, fmt::format("image: {}\nmode: trinary\nresolution: {}\norigin: [{}, {}, 0.0]\n"
+                               "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.15\n",
+                               pgm_file.filename().string(), decimal(map.getResolution()),
+                               decimal(map.getXMin()), decimal(map.getYMin())));
+}
+
+void writeGridmap(const fs::path& file, const Grid& map) { writeSerialised(file, map); }
+
+void writeSimplemap(const fs::path& file, const mrpt::maps::CSimpleMap& map) {
+  writeSerialised(file, map);
+}
+
+}  // namespace ariadne::io

@@ -1,0 +1,50 @@
+#include "ariadne/io/png.h"
+
+#include <fmt/format.h>
+#include <png.h>
+
+#include <string>
+
+#include "ariadne/core/error.h"
+
+namespace ariadne::io {
+namespace {
+
+[[noreturn]] void fail(png_structp, png_const_charp message) {
+  throw core::Error(fmt::format("cannot make a PNG: {}", message));
+}
+
+void append(png_structp png, png_bytep data, png_size_t size) {
+  static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<char*>(data), size);
+}
+
+struct Writer {
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, nullptr);
+  png_infop info = png ? png_create_info_struct(png) : nullptr;
+  Writer() = default;
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+  ~Writer() { png_destroy_write_struct(&png, &info); }
+};
+
+}  // namespace
+
+std::string encodePng(const Picture& picture) {
+  Writer w;
+  if (!w.info) throw core::Error("cannot make a PNG: out of memory");
+  std::string bytes;
+  png_set_write_fn(w.png, &bytes, append, nullptr);
+  png_set_IHDR(w.png, w.info, picture.width, picture.height, 8,
+               picture.channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_compression_level(w.png, 1);
+  png_set_filter(w.png, 0, PNG_FILTER_NONE);
+  png_write_info(w.png, w.info);
+  const std::size_t row = std::size_t{picture.width} * picture.channels;
+  for (std::uint32_t y = 0; y < picture.height; ++y)
+    png_write_row(w.png, picture.pixels.data() + y * row);
+  png_write_end(w.png, nullptr);
+  return bytes;
+}
+
+}  // namespace ariadne::io

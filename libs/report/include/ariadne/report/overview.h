@@ -1,0 +1,18 @@
+// The picture to look at first: the path on the map.
+#pragma once
+#include <mrpt/maps/COccupancyGridMap2D.h>
+
+#include <filesystem>
+
+#include "ariadne/models/stamped_pose.h"
+
+namespace ariadne::report {
+
+/// PNG of the known part of the map, about 1200 pixels on its longer side, with the path coloured
+/// by time (blue to red), start and end, a scale bar in metres and the path's length.
+/// @param path map_from_robot; may be empty
+/// Throws core::Error naming the file when it cannot be written.
+void writeOverview(const std::filesystem::path& file, const mrpt::maps::COccupancyGridMap2D& map,
+                   const models::Trajectory& path);
+
+}  // namespace ariadne::report
