@@ -4,6 +4,7 @@
 #include <fmt/ostream.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -52,12 +53,16 @@ int mapDataset(const Options& options, ResolvedConfig resolved, std::ostream& ou
                                   config.dataset.file));
 
   const Interrupt interrupt;
+  const auto opening = std::chrono::steady_clock::now();
   const auto source = io::openDataset(config.dataset.file, {config.dataset.laser_label});
+  const std::chrono::duration<double> opened = std::chrono::steady_clock::now() - opening;
   slam::Mapper mapper(config.slam, config.run.threads);
   io::prepareOutputFolder(config.run.out, outputNames(config), options.overwrite);
   Progress progress(err, progressStyle(options, err));
   RunResult result;
   result.record = mapSteps(*source, mapper, interrupt, progress);
+  result.record.reading_s += opened.count();
+  result.record.total_s += opened.count();
   if (mapper.updates() == 0)
     throw core::Error(fmt::format(
         "{}: {}: nothing to map", config.dataset.file,
