@@ -19,21 +19,76 @@ struct Hit {
   std::int8_t before;
 };
 
-/// Fills spans of one tile row after the other, with the tiles of a row looked up once. A tile is
-/// asked for writing (and perhaps copied) only when a cell of it really changes.
-class SpanFiller {
- public:
-  SpanFiller(Plane& cells, std::int8_t amount, std::vector<Cell>& freed)
-      : cells_(cells), amount_(amount), freed_(freed) {}
+/// A tile of the row in work.
+struct OpenTile {
+  const std::int8_t* read = nullptr;
+  std::int8_t* write = nullptr;
+  int covered_rows = 0;  // rows of it that lie inside the outline
+};
 
-  void startTileRow(int ty, int tx_begin, int tx_end) {
+/// Buffers that a thread keeps from scan to scan.
+struct Scratch {
+  std::vector<TPoint2D> outline;
+  std::vector<Hit> hits;
+  std::vector<Cell> freed;
+  std::vector<OpenTile> tiles;
+  PolygonRows rows;
+};
+
+/// Adds evidence for free to one tile row after the other. A tile is asked for writing (and perhaps
+/// copied) only when a cell of it really changes.
+class TileRowFiller {
+ public:
+  TileRowFiller(Plane& cells, std::int8_t amount, Scratch& scratch)
+      : cells_(cells),
+        amount_(amount),
+        rows_(scratch.rows),
+        freed_(scratch.freed),
+        tiles_(scratch.tiles) {}
+
+  /// The rows [y0, y1) of tile row ty, whose tiles are [tx_begin, tx_end).
+  void fill(int ty, int y0, int y1, int tx_begin, int tx_end) {
     ty_ = ty;
     tx_begin_ = tx_begin;
     tiles_.assign(static_cast<std::size_t>(tx_end - tx_begin), {});
+    if (y1 - y0 == kTileCells) fillWholeTiles(y0);
+    for (int y = y0; y < y1; ++y)
+      rows_.forEachSpan(y, [&](int x0, int x1) { fillSpan(y, x0, x1); });
   }
 
-  void fill(int y, int x0, int x1) {
+ private:
+  /// Tiles that every row of the outline covers: most of them, and most of those are uniform, where
+  /// the sum is another uniform tile and no cell is touched.
+  void fillWholeTiles(int y0) {
+    for (int y = y0; y < y0 + kTileCells; ++y)
+      rows_.forEachSpan(y, [&](int x0, int x1) {
+        const int end = x1 >> kTileBits;
+        for (int tx = (x0 + kTileCells - 1) >> kTileBits; tx < end; ++tx) ++tileAt(tx).covered_rows;
+      });
+    for (std::size_t i = 0; i < tiles_.size(); ++i)
+      if (tiles_[i].covered_rows == kTileCells) fillTile(tx_begin_ + static_cast<int>(i));
+  }
+
+  void fillTile(int tx) {
+    const auto* tile = cells_.tile(tx, ty_);
+    const auto value = tile ? Plane::uniformValue(tile) : std::optional<std::int8_t>(0);
+    if (value && *value >= 0) {
+      const int sum = std::min(*value + amount_, int{kMostFree});
+      if (sum != *value) cells_.setUniform(tx, ty_, static_cast<std::int8_t>(sum));
+      return;
+    }
+    bool all_free = true;
+    for (int y = 0; y < kTileCells; ++y)
+      for (int x = 0; x < kTileCells; x += kLanes) {
+        fillLanes(tx, tx * kTileCells + x, ty_ * kTileCells + y, 0, kLanes);
+        all_free &= allMostFree(tileAt(tx).read + Plane::offset(x, y));
+      }
+    if (all_free) cells_.setUniform(tx, ty_, kMostFree);
+  }
+
+  void fillSpan(int y, int x0, int x1) {
     for (int tx = x0 >> kTileBits; tx <= (x1 - 1) >> kTileBits; ++tx) {
+      if (tileAt(tx).covered_rows == kTileCells) continue;
       const int base = tx * kTileCells;
       const int begin = std::max(x0 - base, 0);
       const int end = std::min(x1 - base, kTileCells);
@@ -42,25 +97,23 @@ class SpanFiller {
     }
   }
 
- private:
-  struct OpenTile {
-    const std::int8_t* read = nullptr;
-    std::int8_t* write = nullptr;
-  };
-
+  OpenTile& tileAt(int tx) { return tiles_[static_cast<std::size_t>(tx - tx_begin_)]; }
   OpenTile& open(int tx) {
-    OpenTile& tile = tiles_[static_cast<std::size_t>(tx - tx_begin_)];
+    OpenTile& tile = tileAt(tx);
     if (!tile.read) {
       const auto* t = cells_.tile(tx, ty_);
-      tile.read = t ? t->data() : makeWritable(tx, tile);
+      if (t)
+        tile.read = t->data();
+      else
+        makeWritable(tx, tile);
     }
     return tile;
   }
-  const std::int8_t* makeWritable(int tx, OpenTile& tile) {
+  void makeWritable(int tx, OpenTile& tile) {
     tile.write = cells_.writeTile(tx, ty_).data();
     tile.read = tile.write;
-    return tile.read;
   }
+  /// Lanes [begin, end) of the sixteen cells from (x, y) on.
   void fillLanes(int tx, int x, int y, int begin, int end) {
     OpenTile& tile = open(tx);
     const int offset = Plane::offset(x, y);
@@ -75,18 +128,11 @@ class SpanFiller {
 
   Plane& cells_;
   std::int8_t amount_;
+  const PolygonRows& rows_;
   std::vector<Cell>& freed_;
-  std::vector<OpenTile> tiles_;
+  std::vector<OpenTile>& tiles_;
   int ty_ = 0;
   int tx_begin_ = 0;
-};
-
-/// Buffers that a thread keeps from scan to scan.
-struct Scratch {
-  std::vector<TPoint2D> outline;
-  std::vector<Hit> hits;
-  std::vector<Cell> freed;
-  PolygonRows rows;
 };
 
 void fillOutline(Plane& cells, std::int8_t amount, Scratch& scratch) {
@@ -97,14 +143,13 @@ void fillOutline(Plane& cells, std::int8_t amount, Scratch& scratch) {
                           [](const auto& a, const auto& b) { return a.x < b.x; });
   const int tx_begin = floorToInt(left->x) >> kTileBits;
   const int tx_end = (ceilToInt(right->x) >> kTileBits) + 1;
-  SpanFiller filler(cells, amount, scratch.freed);
-  int open_row = 0;
-  for (int y = scratch.rows.firstRow(); y < scratch.rows.endRow(); ++y) {
-    if (y == scratch.rows.firstRow() || y >> kTileBits != open_row) {
-      open_row = y >> kTileBits;
-      filler.startTileRow(open_row, tx_begin, tx_end);
-    }
-    scratch.rows.forEachSpan(y, [&](int x0, int x1) { filler.fill(y, x0, x1); });
+  TileRowFiller filler(cells, amount, scratch);
+  const int end = scratch.rows.endRow();
+  for (int y = scratch.rows.firstRow(); y < end;) {
+    const int ty = y >> kTileBits;
+    const int next = std::min((ty + 1) * kTileCells, end);
+    filler.fill(ty, y, next, tx_begin, tx_end);
+    y = next;
   }
 }
 

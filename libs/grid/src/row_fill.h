@@ -2,6 +2,8 @@
 #pragma once
 #include <cstdint>
 
+#include "ariadne/grid/log_odds.h"
+
 #if defined(__SSE2__)
 #include <emmintrin.h>
 #endif
@@ -17,6 +19,12 @@ struct FillChange {
 };
 
 #if defined(__SSE2__)
+
+/// True when all sixteen cells hold kMostFree.
+inline bool allMostFree(const std::int8_t* cells) {
+  const __m128i v = _mm_load_si128(reinterpret_cast<const __m128i*>(cells));
+  return _mm_movemask_epi8(_mm_cmpeq_epi8(v, _mm_set1_epi8(kMostFree))) == 0xFFFF;
+}
 
 class FillLanes {
  public:
@@ -46,6 +54,12 @@ class FillLanes {
 };
 
 #else
+
+inline bool allMostFree(const std::int8_t* cells) {
+  bool all = true;
+  for (int i = 0; i < kLanes; ++i) all &= cells[i] == kMostFree;
+  return all;
+}
 
 class FillLanes {
  public:

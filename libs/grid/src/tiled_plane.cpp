@@ -28,12 +28,39 @@ void TiledPlane<T>::grow(Root& root, int bx, int by) {
 }
 
 template <class T>
+const std::array<Cow<typename TiledPlane<T>::Tile>, 256>& TiledPlane<T>::uniformTiles() {
+  static const auto tiles = [] {
+    std::array<Cow<Tile>, 256> all;
+    for (int i = 0; i < 256; ++i) all[i].write().fill(static_cast<T>(i));
+    return all;
+  }();
+  return tiles;
+}
+
+template <class T>
+std::optional<T> TiledPlane<T>::uniformValue(const Tile* tile) {
+  const T value = (*tile)[0];
+  if (tile != uniformTiles()[static_cast<std::uint8_t>(value)].get()) return std::nullopt;
+  return value;
+}
+
+template <class T>
+void TiledPlane<T>::setUniform(int tx, int ty, T value) {
+  slotForWriting(tx, ty) = uniformTiles()[static_cast<std::uint8_t>(value)];
+}
+
+template <class T>
 typename TiledPlane<T>::Tile& TiledPlane<T>::writeTile(int tx, int ty) {
+  return slotForWriting(tx, ty).write();
+}
+
+template <class T>
+Cow<typename TiledPlane<T>::Tile>& TiledPlane<T>::slotForWriting(int tx, int ty) {
   const int bx = tx >> kBlockBits;
   const int by = ty >> kBlockBits;
   Root& root = root_.write();
   if (!root.covers(bx, by)) grow(root, bx, by);
-  return root.blocks[root.index(bx, by)].write()[slot(tx, ty)].write();
+  return root.blocks[root.index(bx, by)].write()[slot(tx, ty)];
 }
 
 template <class T>

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "ariadne/grid/cow.h"
@@ -47,6 +48,10 @@ class TiledPlane {
   /// Tile for writing; made when missing, copied when shared. Throws core::Error when the plane
   /// would span more than kMaxBlocks.
   Tile& writeTile(int tx, int ty);
+  /// Makes the tile one of uniform value, which all planes share and which takes no memory.
+  void setUniform(int tx, int ty, T value);
+  /// The value of a tile that setUniform() made; nothing for any other, whatever its cells hold.
+  static std::optional<T> uniformValue(const Tile* tile);
 
   /// Box of the tiles that may hold something, in tile coordinates.
   CellBox tileBox() const;
@@ -82,6 +87,9 @@ class TiledPlane {
     return r && r->covers(bx, by) ? r->blocks[r->index(bx, by)].get() : nullptr;
   }
   static void grow(Root& root, int bx, int by);
+  /// One tile a value, held for ever.
+  static const std::array<Cow<Tile>, 256>& uniformTiles();
+  Cow<Tile>& slotForWriting(int tx, int ty);
 
   Cow<Root> root_;
 };
