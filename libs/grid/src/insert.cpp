@@ -102,12 +102,21 @@ class TileRowFiller {
     OpenTile& tile = tileAt(tx);
     if (!tile.read) {
       const auto* t = cells_.tile(tx, ty_);
-      if (t)
+      if (t) {
         tile.read = t->data();
-      else
+        prefetch(tile.read);
+      } else {
         makeWritable(tx, tile);
+      }
     }
     return tile;
+  }
+  /// Rows are filled across tiles, so a tile's lines are asked for far apart; the waiting was a
+  /// quarter of a run.
+  static void prefetch(const std::int8_t* tile) {
+    constexpr int kCacheLine = 64;
+    for (int i = kCacheLine; i < kTileCells * kTileCells; i += kCacheLine)
+      __builtin_prefetch(tile + i);
   }
   void makeWritable(int tx, OpenTile& tile) {
     tile.write = cells_.writeTile(tx, ty_).data();
@@ -118,11 +127,11 @@ class TileRowFiller {
     OpenTile& tile = open(tx);
     const int offset = Plane::offset(x, y);
     const FillLanes lanes(begin, end, amount_);
-    const FillChange change = lanes.change(tile.read + offset);
-    if (!change.any) return;
-    if (!tile.write) makeWritable(tx, tile);
-    lanes.apply(tile.write + offset);
-    for (unsigned bits = change.freed; bits != 0; bits &= bits - 1)
+    if (!tile.write) {
+      if (!lanes.changes(tile.read + offset)) return;
+      makeWritable(tx, tile);
+    }
+    for (unsigned bits = lanes.apply(tile.write + offset); bits != 0; bits &= bits - 1)
       freed_.push_back({x + __builtin_ctz(bits), y});
   }
 

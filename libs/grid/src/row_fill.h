@@ -12,12 +12,6 @@ namespace ariadne::grid {
 
 constexpr int kLanes = 16;
 
-/// What adding to sixteen cells would do; nothing is written yet, since a write may copy the tile.
-struct FillChange {
-  bool any = false;    ///< a cell would change
-  unsigned freed = 0;  ///< bit i: cell i would go from occupied to not occupied
-};
-
 #if defined(__SSE2__)
 
 /// True when all sixteen cells hold kMostFree.
@@ -38,15 +32,19 @@ class FillLanes {
     };
     add_ = _mm_and_si128(_mm_and_si128(at(16 - begin), at(32 - end)), _mm_set1_epi8(amount));
   }
-  FillChange change(const std::int8_t* cells) const {
+  /// Whether any cell would change; nothing is written yet, since a write may copy the tile.
+  bool changes(const std::int8_t* cells) const {
     const __m128i before = _mm_load_si128(reinterpret_cast<const __m128i*>(cells));
     const __m128i after = _mm_adds_epi8(before, add_);
-    const bool any = _mm_movemask_epi8(_mm_cmpeq_epi8(before, after)) != 0xFFFF;
-    return {any, static_cast<unsigned>(_mm_movemask_epi8(_mm_andnot_si128(after, before)))};
+    return _mm_movemask_epi8(_mm_cmpeq_epi8(before, after)) != 0xFFFF;
   }
-  void apply(std::int8_t* cells) const {
+  /// Adds. Bit i of the result: cell i went from occupied to not occupied.
+  unsigned apply(std::int8_t* cells) const {
     __m128i* p = reinterpret_cast<__m128i*>(cells);
-    _mm_store_si128(p, _mm_adds_epi8(_mm_load_si128(p), add_));
+    const __m128i before = _mm_load_si128(p);
+    const __m128i after = _mm_adds_epi8(before, add_);
+    _mm_store_si128(p, after);
+    return static_cast<unsigned>(_mm_movemask_epi8(_mm_andnot_si128(after, before)));
   }
 
  private:
@@ -64,16 +62,18 @@ inline bool allMostFree(const std::int8_t* cells) {
 class FillLanes {
  public:
   FillLanes(int begin, int end, std::int8_t amount) : begin_(begin), end_(end), amount_(amount) {}
-  FillChange change(const std::int8_t* cells) const {
-    FillChange c;
-    for (int i = begin_; i < end_; ++i) {
-      c.any |= added(cells[i]) != cells[i];
-      if (cells[i] < 0 && added(cells[i]) >= 0) c.freed |= 1U << i;
-    }
-    return c;
+  bool changes(const std::int8_t* cells) const {
+    for (int i = begin_; i < end_; ++i)
+      if (added(cells[i]) != cells[i]) return true;
+    return false;
   }
-  void apply(std::int8_t* cells) const {
-    for (int i = begin_; i < end_; ++i) cells[i] = added(cells[i]);
+  unsigned apply(std::int8_t* cells) const {
+    unsigned freed = 0;
+    for (int i = begin_; i < end_; ++i) {
+      if (cells[i] < 0 && added(cells[i]) >= 0) freed |= 1U << i;
+      cells[i] = added(cells[i]);
+    }
+    return freed;
   }
 
  private:
