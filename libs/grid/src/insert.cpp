@@ -41,7 +41,7 @@ class TileRowFiller {
  public:
   TileRowFiller(Plane& cells, std::int8_t amount, Scratch& scratch)
       : cells_(cells),
-        amount_(amount),
+        lanes_(amount),
         rows_(scratch.rows),
         freed_(scratch.freed),
         tiles_(scratch.tiles) {}
@@ -73,70 +73,70 @@ class TileRowFiller {
     const auto* tile = cells_.tile(tx, ty_);
     const auto value = tile ? Plane::uniformValue(tile) : std::optional<std::int8_t>(0);
     if (value && *value >= 0) {
-      const int sum = std::min(*value + amount_, int{kMostFree});
+      const int sum = std::min(*value + lanes_.amount(), int{kMostFree});
       if (sum != *value) cells_.setUniform(tx, ty_, static_cast<std::int8_t>(sum));
       return;
     }
     bool all_free = true;
-    for (int y = 0; y < kTileCells; ++y)
-      for (int x = 0; x < kTileCells; x += kLanes) {
-        fillLanes(tx, tx * kTileCells + x, ty_ * kTileCells + y, 0, kLanes);
-        all_free &= allMostFree(tileAt(tx).read + Plane::offset(x, y));
-      }
+    for (int y = 0; y < kTileCells; ++y) {
+      fillPart(tx, ty_ * kTileCells + y, 0, kTileCells);
+      all_free = all_free && allMostFree(tileAt(tx).read + y * kTileCells) &&
+                 allMostFree(tileAt(tx).read + y * kTileCells + kLanes);
+    }
     if (all_free) cells_.setUniform(tx, ty_, kMostFree);
   }
 
   void fillSpan(int y, int x0, int x1) {
-    for (int tx = x0 >> kTileBits; tx <= (x1 - 1) >> kTileBits; ++tx) {
-      if (tileAt(tx).covered_rows == kTileCells) continue;
-      const int base = tx * kTileCells;
-      const int begin = std::max(x0 - base, 0);
-      const int end = std::min(x1 - base, kTileCells);
-      for (int half = begin & ~(kLanes - 1); half < end; half += kLanes)
-        fillLanes(tx, base + half, y, std::max(begin - half, 0), std::min(end - half, kLanes));
+    for (int x = x0; x < x1;) {
+      const int tx = x >> kTileBits;
+      const int base = tx << kTileBits;
+      const int end = std::min(x1, base + kTileCells);
+      if (tileAt(tx).covered_rows != kTileCells) fillPart(tx, y, x - base, end - base);
+      x = end;
     }
   }
 
-  OpenTile& tileAt(int tx) { return tiles_[static_cast<std::size_t>(tx - tx_begin_)]; }
-  OpenTile& open(int tx) {
+  /// Cells [begin, end) of row y of the tile.
+  void fillPart(int tx, int y, int begin, int end) {
+    static_assert(kTileCells == 2 * kLanes);
+    if (begin < kLanes) fillLanes(tx, 0, y, begin, std::min(end, kLanes));
+    if (end > kLanes) fillLanes(tx, kLanes, y, std::max(begin - kLanes, 0), end - kLanes);
+  }
+
+  /// Lanes [begin, end) of the sixteen from cell `x` of the tile on.
+  void fillLanes(int tx, int x, int y, int begin, int end) {
     OpenTile& tile = tileAt(tx);
+    const int offset = ((y & (kTileCells - 1)) << kTileBits) + x;
+    if (!tile.write && !openForChange(tile, tx, offset, begin, end)) return;
+    for (unsigned bits = lanes_.add(tile.write + offset, begin, end); bits != 0; bits &= bits - 1)
+      freed_.push_back({(tx << kTileBits) + x + __builtin_ctz(bits), y});
+  }
+
+  /// False when the lanes would not change: a shared tile then stays shared.
+  bool openForChange(OpenTile& tile, int tx, int offset, int begin, int end) {
     if (!tile.read) {
-      const auto* t = cells_.tile(tx, ty_);
-      if (t) {
+      if (const auto* t = cells_.tile(tx, ty_)) {
         tile.read = t->data();
         prefetch(tile.read);
-      } else {
-        makeWritable(tx, tile);
       }
     }
-    return tile;
+    if (tile.read && !lanes_.changes(tile.read + offset, begin, end)) return false;
+    tile.write = cells_.writeTile(tx, ty_).data();
+    tile.read = tile.write;
+    return true;
   }
-  /// Rows are filled across tiles, so a tile's lines are asked for far apart; the waiting was a
-  /// quarter of a run.
+
+  /// Rows are filled across tiles, so a tile's lines are asked for far apart.
   static void prefetch(const std::int8_t* tile) {
     constexpr int kCacheLine = 64;
     for (int i = kCacheLine; i < kTileCells * kTileCells; i += kCacheLine)
       __builtin_prefetch(tile + i);
   }
-  void makeWritable(int tx, OpenTile& tile) {
-    tile.write = cells_.writeTile(tx, ty_).data();
-    tile.read = tile.write;
-  }
-  /// Lanes [begin, end) of the sixteen cells from (x, y) on.
-  void fillLanes(int tx, int x, int y, int begin, int end) {
-    OpenTile& tile = open(tx);
-    const int offset = Plane::offset(x, y);
-    const FillLanes lanes(begin, end, amount_);
-    if (!tile.write) {
-      if (!lanes.changes(tile.read + offset)) return;
-      makeWritable(tx, tile);
-    }
-    for (unsigned bits = lanes.apply(tile.write + offset); bits != 0; bits &= bits - 1)
-      freed_.push_back({x + __builtin_ctz(bits), y});
-  }
+
+  OpenTile& tileAt(int tx) { return tiles_[static_cast<std::size_t>(tx - tx_begin_)]; }
 
   Plane& cells_;
-  std::int8_t amount_;
+  FillLanes lanes_;
   const PolygonRows& rows_;
   std::vector<Cell>& freed_;
   std::vector<OpenTile>& tiles_;

@@ -50,16 +50,18 @@ void PolygonRows::build(const std::vector<TPoint2D>& vertices) {
   const auto [low, high] = std::minmax_element(
       vertices.begin(), vertices.end(), [](const auto& a, const auto& b) { return a.y < b.y; });
   first_row_ = firstCentre(low->y);
-  row_ends_.assign(static_cast<std::size_t>(std::max(0, firstCentre(high->y) - first_row_)), 0);
-
+  const auto rows = static_cast<std::size_t>(std::max(0, firstCentre(high->y) - first_row_));
+  begun_.assign(rows + 1, 0);
   forEachEdge(vertices, [&](const TPoint2D&, const TPoint2D&, int row0, int row1) {
-    for (int r = row0; r < row1; ++r) ++row_ends_[r - first_row_];
+    ++begun_[row0 - first_row_];
+    --begun_[row1 - first_row_];
   });
+  row_ends_.resize(rows);
   std::size_t total = 0;
-  for (std::size_t& end : row_ends_) {
-    const std::size_t count = end;
-    end = total;  // where the row begins; moves on to its end below
-    total += count;
+  int count = 0;
+  for (std::size_t r = 0; r < rows; ++r) {
+    row_ends_[r] = total;  // where the row begins; moves on to its end below
+    total += static_cast<std::size_t>(count += begun_[r]);
   }
   crossings_.resize(total);
   forEachEdge(vertices, [&](const TPoint2D& a, const TPoint2D& b, int row0, int row1) {

@@ -39,7 +39,7 @@ struct Deflater {
   z_stream stream{};
   Deflater() {
     constexpr int kGzip = 16;
-    if (deflateInit2(&stream, 1, Z_DEFLATED, MAX_WBITS + kGzip, 8, Z_DEFAULT_STRATEGY) != Z_OK)
+    if (deflateInit2(&stream, 1, Z_DEFLATED, MAX_WBITS + kGzip, 8, Z_RLE) != Z_OK)
       throw core::Error("cannot compress: out of memory");
   }
   ~Deflater() { deflateEnd(&stream); }

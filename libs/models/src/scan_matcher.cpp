@@ -157,6 +157,7 @@ Match ScanMatcher::operator()(const grid::OccupancyGrid& map, const std::vector<
   const Candidate start = linearised<Candidate>(problem, predicted);
   Candidate best = climb(problem, start);
   const auto tryFrom = [&](const TPose2D& pose) {
+    if (pose == predicted) return;  // climbed from there already
     Candidate found = climb(problem, linearised<Candidate>(problem, pose));
     if (found.cost < best.cost) best = std::move(found);
   };

@@ -25,6 +25,7 @@ class PolygonRows {
  private:
   int first_row_ = 0;
   std::vector<std::size_t> row_ends_;  // end of each row's crossings
+  std::vector<int> begun_;             // edges that begin less those that end, a row
   std::vector<int> crossings_;         // first cell with its centre right of the edge; sorted a row
 };
 
