@@ -21,18 +21,17 @@ constexpr std::uint8_t kFree = 254;
 constexpr std::uint8_t kOccupied = 0;
 constexpr std::uint8_t kUnknown = 205;
 
-/// One pixel a cell, the northernmost row first.
+/// One byte a cell, the northernmost row first.
 template <class Shade>
-Picture picture(const Grid& map, Shade&& shade) {
-  Picture p;
-  p.width = map.getSizeX();
-  p.height = map.getSizeY();
-  p.pixels.reserve(std::size_t{p.width} * p.height);
-  for (std::uint32_t y = p.height; y-- > 0;) {
-    const auto* row = map.getRow(static_cast<int>(y));
-    for (std::uint32_t x = 0; x < p.width; ++x) p.pixels.push_back(shade(row[x]));
+std::string shades(const Grid& map, Shade&& shade) {
+  std::string pixels;
+  pixels.reserve(std::size_t{map.getSizeX()} * map.getSizeY());
+  for (int y = static_cast<int>(map.getSizeY()); y-- > 0;) {
+    const auto* row = map.getRow(y);
+    for (unsigned x = 0; x < map.getSizeX(); ++x)
+      pixels.push_back(static_cast<char>(shade(row[x])));
   }
-  return p;
+  return pixels;
 }
 
 struct Deflater {
@@ -81,16 +80,20 @@ double decimal(float v) { return std::round(static_cast<double>(v) * 1e6) / 1e6;
 }  // namespace
 
 void writeMapPng(const fs::path& file, const Grid& map) {
-  writeWhole(file, encodePng(picture(map, [](Grid::cellType c) { return Grid::l2p_255(c); })));
+  const std::string pixels = shades(map, [](Grid::cellType c) { return Grid::l2p_255(c); });
+  Picture picture;
+  picture.width = map.getSizeX();
+  picture.height = map.getSizeY();
+  picture.pixels = reinterpret_cast<const std::uint8_t*>(pixels.data());
+  picture.stride = picture.width;
+  writeWhole(file, encodePng(picture));
 }
 
 void writeRosMap(const fs::path& pgm_file, const Grid& map) {
-  const Picture p = picture(map, [](Grid::cellType c) {
+  const std::string pixels = shades(map, [](Grid::cellType c) {
     return c > 0 ? kFree : c < 0 ? kOccupied : kUnknown;
   });
-  std::string pgm = fmt::format("P5\n{} {}\n255\n", p.width, p.height);
-  pgm.append(reinterpret_cast<const char*>(p.pixels.data()), p.pixels.size());
-  writeWhole(pgm_file, pgm);
+  writeWhole(pgm_file, fmt::format("P5\n{} {}\n255\n", map.getSizeX(), map.getSizeY()) + pixels);
 
   fs::path yaml = pgm_file;
   yaml.replace_extension(".yaml");

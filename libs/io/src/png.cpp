@@ -36,15 +36,18 @@ std::string encodePng(const Picture& picture) {
   std::string bytes;
   png_set_write_fn(w.png, &bytes, append, nullptr);
   png_set_IHDR(w.png, w.info, picture.width, picture.height, 8,
-               picture.channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
-               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+               picture.format == Picture::Format::gray ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB,
+               PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_set_compression_level(w.png, 1);
   png_set_compression_strategy(w.png, Z_RLE);  // maps are flat; three times as quick as level 1
   png_set_filter(w.png, 0, PNG_FILTER_NONE);
   png_write_info(w.png, w.info);
-  const std::size_t row = std::size_t{picture.width} * picture.channels;
+  if (picture.format == Picture::Format::cairo_rgb) {
+    png_set_bgr(w.png);
+    png_set_filler(w.png, 0, PNG_FILLER_AFTER);
+  }
   for (std::uint32_t y = 0; y < picture.height; ++y)
-    png_write_row(w.png, picture.pixels.data() + y * row);
+    png_write_row(w.png, picture.pixels + y * picture.stride);
   png_write_end(w.png, nullptr);
   return bytes;
 }

@@ -17,8 +17,8 @@ namespace {
 using Grid = mrpt::maps::COccupancyGridMap2D;
 
 constexpr double kLongSide = 1200;  // pixels of map
-constexpr double kMargin = 20;
-constexpr double kFooter = 50;  // for scale bar and text
+constexpr int kMargin = 20;
+constexpr int kFooter = 50;  // for scale bar and text
 
 struct Box {
   int x0, y0, x1, y1;
@@ -37,41 +37,59 @@ Box knownCells(const Grid& map) {
   return box.x0 < box.x1 ? box : Box{0, 0, 1, 1};
 }
 
-/// Light gray unknown, white free, black walls; a picture of the cells, first row north.
-std::vector<std::uint32_t> shades(const Grid& map, const Box& box) {
-  std::vector<std::uint32_t> pixels;
-  pixels.reserve(static_cast<std::size_t>(box.x1 - box.x0) * (box.y1 - box.y0));
-  for (int y = box.y1 - 1; y >= box.y0; --y) {
-    const auto* row = map.getRow(y);
-    for (int x = box.x0; x < box.x1; ++x) {
-      const std::uint32_t v = row[x] == 0  ? 205
-                              : row[x] > 0 ? 225 + 30 * row[x] / 127
-                                           : 60 + 60 * row[x] / 127;
-      pixels.push_back(v << 16 | v << 8 | v);
-    }
-  }
-  return pixels;
+/// How cells become pixels: `cells` x `cells` of them one pixel, or one of them `pixels` x
+/// `pixels`.
+struct Scale {
+  int cells = 1;
+  int pixels = 1;
+};
+
+/// Whole numbers only, so that walls are drawn sharp; about kLongSide pixels.
+Scale scaleFor(int longest_cells) {
+  const auto side = static_cast<int>(kLongSide);
+  return {(longest_cells + side - 1) / side, std::clamp(side / longest_cells, 1, 40)};
 }
 
-void drawCells(cairo_t* cr, const Grid& map, const Box& box, const View& view) {
-  auto pixels = shades(map, box);
-  const int width = box.x1 - box.x0;
-  const Surface cells(
-      cairo_image_surface_create_for_data(reinterpret_cast<unsigned char*>(pixels.data()),
-                                          CAIRO_FORMAT_RGB24, width, box.y1 - box.y0, width * 4));
-  if (cairo_surface_status(cells.get()) != CAIRO_STATUS_SUCCESS)
-    throw core::Error(fmt::format("a map of {} x {} cells is too large for the overview picture",
-                                  width, box.y1 - box.y0));
-  cairo_save(cr);
-  cairo_translate(cr, view.margin, view.margin);
-  const double scale = view.pixels_per_m * map.getResolution();
-  cairo_scale(cr, scale, scale);
-  cairo_set_source_surface(cr, cells.get(), 0, 0);
-  // Enlarged cells stay squares; reduced ones are averaged, so that thin walls do not vanish.
-  cairo_pattern_set_filter(cairo_get_source(cr),
-                           scale >= 1 ? CAIRO_FILTER_NEAREST : CAIRO_FILTER_GOOD);
-  cairo_paint(cr);
-  cairo_restore(cr);
+/// Light gray unknown, white free, black walls.
+std::uint8_t shade(int log_odds) {
+  if (log_odds == 0) return 205;
+  return static_cast<std::uint8_t>(log_odds > 0 ? 225 + 30 * log_odds / 127
+                                                : 60 + 60 * log_odds / 127);
+}
+
+/// The cell that stands for a block: its most occupied, else its most free, so that thin walls
+/// stay.
+int standsFor(const Grid& map, int x0, int y0, const Box& box, int cells) {
+  int low = 0;
+  int high = 0;
+  for (int y = y0; y < std::min(y0 + cells, box.y1); ++y) {
+    const auto* row = map.getRow(y);
+    for (int x = x0; x < std::min(x0 + cells, box.x1); ++x) {
+      low = std::min<int>(low, row[x]);
+      high = std::max<int>(high, row[x]);
+    }
+  }
+  return low < 0 ? low : high;
+}
+
+/// Paints the box with its lower left corner at (kMargin, `bottom`).
+void drawCells(cairo_surface_t* surface, const Grid& map, const Box& box, const Scale& scale,
+               int bottom) {
+  cairo_surface_flush(surface);
+  unsigned char* data = cairo_image_surface_get_data(surface);
+  const int stride = cairo_image_surface_get_stride(surface);
+  int pixel_y = bottom - scale.pixels;
+  for (int y = box.y0; y < box.y1; y += scale.cells, pixel_y -= scale.pixels) {
+    int pixel_x = kMargin;
+    for (int x = box.x0; x < box.x1; x += scale.cells, pixel_x += scale.pixels) {
+      const std::uint32_t v = shade(standsFor(map, x, y, box, scale.cells));
+      for (int j = 0; j < scale.pixels; ++j) {
+        auto* row = reinterpret_cast<std::uint32_t*>(data + std::size_t(pixel_y + j) * stride);
+        std::fill_n(row + pixel_x, scale.pixels, v << 16 | v << 8 | v);
+      }
+    }
+  }
+  cairo_surface_mark_dirty(surface);
 }
 
 /// Blue over green to red.
@@ -147,16 +165,9 @@ std::string encode(const Surface& surface) {
   io::Picture picture;
   picture.width = static_cast<std::uint32_t>(cairo_image_surface_get_width(surface.get()));
   picture.height = static_cast<std::uint32_t>(cairo_image_surface_get_height(surface.get()));
-  picture.channels = 3;
-  picture.pixels.reserve(std::size_t{picture.width} * picture.height * 3);
-  const unsigned char* data = cairo_image_surface_get_data(surface.get());
-  const int stride = cairo_image_surface_get_stride(surface.get());
-  for (std::uint32_t y = 0; y < picture.height; ++y) {
-    const auto* row = reinterpret_cast<const std::uint32_t*>(data + std::size_t{y} * stride);
-    for (std::uint32_t x = 0; x < picture.width; ++x)
-      for (const int shift : {16, 8, 0})
-        picture.pixels.push_back(static_cast<std::uint8_t>(row[x] >> shift));
-  }
+  picture.format = io::Picture::Format::cairo_rgb;
+  picture.pixels = cairo_image_surface_get_data(surface.get());
+  picture.stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface.get()));
   return io::encodePng(picture);
 }
 
@@ -165,22 +176,26 @@ std::string encode(const Surface& surface) {
 void writeOverview(const std::filesystem::path& file, const Grid& map,
                    const models::Trajectory& path) {
   const Box box = knownCells(map);
+  const Scale scale = scaleFor(std::max(box.x1 - box.x0, box.y1 - box.y0));
+  const auto pixels = [&](int cells) {
+    return (cells + scale.cells - 1) / scale.cells * scale.pixels;
+  };
   const double width_m = (box.x1 - box.x0) * map.getResolution();
   const double height_m = (box.y1 - box.y0) * map.getResolution();
+  const int bottom = kMargin + pixels(box.y1 - box.y0);
   View view;
   view.margin = kMargin;
+  view.pixels_per_m = scale.pixels / (scale.cells * static_cast<double>(map.getResolution()));
   view.left_m = map.getXMin() + box.x0 * map.getResolution();
-  view.top_m = map.getYMin() + box.y1 * map.getResolution();
-  view.pixels_per_m = kLongSide / std::max(width_m, height_m);
+  view.top_m =
+      map.getYMin() + box.y0 * map.getResolution() + (bottom - kMargin) / view.pixels_per_m;
 
-  const double bottom = kMargin + height_m * view.pixels_per_m;
-  const double width = std::max(width_m * view.pixels_per_m, 560.0) + 2 * kMargin;
-  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width),
-                                                   static_cast<int>(bottom + kFooter)));
+  const Surface surface(cairo_image_surface_create(
+      CAIRO_FORMAT_RGB24, std::max(pixels(box.x1 - box.x0), 560) + 2 * kMargin, bottom + kFooter));
   const Context cr(cairo_create(surface.get()));
   cairo_set_source_rgb(cr.get(), 0.804, 0.804, 0.804);
   cairo_paint(cr.get());
-  drawCells(cr.get(), map, box, view);
+  drawCells(surface.get(), map, box, scale, bottom);
   drawPath(cr.get(), path, view);
   if (!path.empty()) {
     drawMark(cr.get(), path.front(), view, 0);

@@ -3,15 +3,20 @@
 #pragma once
 #include <cstdint>
 #include <string>
-#include <vector>
 
 namespace ariadne::io {
 
+/// Somebody else's pixels.
 struct Picture {
+  enum class Format {
+    gray,      ///< one byte a pixel
+    cairo_rgb  ///< CAIRO_FORMAT_RGB24 of a little-endian machine: blue, green, red, unused
+  };
   std::uint32_t width = 0;
   std::uint32_t height = 0;
-  int channels = 1;                  ///< 1 gray, 3 RGB
-  std::vector<std::uint8_t> pixels;  ///< row by row from the top, width * channels a row
+  Format format = Format::gray;
+  const std::uint8_t* pixels = nullptr;  ///< row by row from the top
+  std::size_t stride = 0;                ///< bytes from row to row
 };
 
 /// The PNG as bytes. Throws core::Error when libpng cannot make it (a side over 1,000,000).

@@ -11,7 +11,7 @@ namespace ariadne::slam {
 struct UpdateParams {
   double update_distance_m = 0.3;
   double update_angle_deg = 15;
-  int checkpoint_updates = 10;
+  int checkpoint_updates = 20;
 };
 
 template <class V>
