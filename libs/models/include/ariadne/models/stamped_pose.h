@@ -11,6 +11,13 @@ struct StampedPose {
   mrpt::math::TPose2D pose;  ///< m and rad, in the frame that the trajectory names
 };
 
+/// A motion that somebody verified: the pose at time 2 seen from time 1.
+struct Relation {
+  double time1_s = 0;
+  double time2_s = 0;
+  mrpt::math::TPose2D motion;
+};
+
 using Trajectory = std::vector<StampedPose>;
 
 }  // namespace ariadne::models

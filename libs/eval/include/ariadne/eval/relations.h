@@ -1,0 +1,21 @@
+// The relations error: Kuemmerle et al., "On measuring the accuracy of SLAM algorithms", Autonomous
+// Robots 27, 2009, Eq. (3)-(5). It needs no alignment: only motions between pairs of moments, which
+// somebody verified by hand, are compared.
+#pragma once
+#include <vector>
+
+#include "ariadne/eval/errors.h"
+
+namespace ariadne::eval {
+
+struct RelationErrors {
+  std::vector<double> translation_m;  ///< one a matched relation
+  std::vector<double> rotation_deg;
+  std::size_t unmatched = 0;  ///< relations for which the trajectory has no pose
+};
+
+/// @param max_gap_s as in associate(); 0 takes poses with exactly the relations' stamps only
+RelationErrors relationErrors(const models::Trajectory& estimate,
+                              const std::vector<models::Relation>& relations, double max_gap_s);
+
+}  // namespace ariadne::eval
