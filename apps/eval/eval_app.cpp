@@ -1,0 +1,91 @@
+#include "eval_app.h"
+
+#include <CLI/CLI.hpp>
+#include <ostream>
+
+#include "ariadne/core/error.h"
+#include "error_plot.h"
+#include "evaluation.h"
+
+namespace ariadne {
+namespace {
+
+constexpr const char* kAbout =
+    "How far an estimated trajectory is from the truth: ATE and RPE after laying one over the "
+    "other\n"
+    "(rotation and shift), and the relations error of Kuemmerle et al. (2009).";
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  ariadne-eval run/trajectory.tum truth.tum\n"
+    "  ariadne-eval run/trajectory.tum truth.tum --plot errors.png\n"
+    "  ariadne-eval run/trajectory.tum --relations intel.relations.gz --max-gap 0.001\n"
+    "  ariadne-eval run/trajectory.tum truth.tum --json\n"
+    "Exit code: 0 fine, 1 the run failed, 2 wrong use.";
+
+eval_app::Arguments parse(CLI::App& app, const std::vector<std::string>& args) {
+  eval_app::Arguments a;
+  app.footer(kExamples);
+  app.set_version_flag("--version", ARIADNE_VERSION);
+  app.add_option("ESTIMATE", a.estimate, "trajectory, TUM format")->required();
+  app.add_option("TRUTH", a.truth, "true trajectory, TUM format");
+  app.add_option("--relations", a.relations, "verified relations, .gz or not");
+  app.add_option("--plot", a.plot, "picture of the errors, .png or .svg");
+  app.add_option(
+         "--max-gap", a.max_gap_s,
+         "seconds between two poses over which the estimate is interpolated; 0: exact stamps")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1e6));
+  app.add_option("--delta", a.delta_m, "metres of true travel for the RPE")
+      ->capture_default_str()
+      ->check(CLI::Range(1e-3, 1e6));
+  app.add_flag("--json", a.json, "as JSON");
+  app.add_flag("-w,--overwrite", a.overwrite, "replace the plot if it is there");
+  app.parse(std::vector<std::string>(args.rbegin(), args.rend()));
+  if (a.truth.empty() && a.relations.empty())
+    throw core::UsageError("name a true trajectory or --relations to compare with (see --help)");
+  if (!a.plot.empty() && a.truth.empty()) throw core::UsageError("--plot needs a true trajectory");
+  if (!a.plot.empty()) eval_app::checkPlotFile(a.plot, a.overwrite);
+  return a;
+}
+
+int run(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
+  CLI::App app(kAbout, "ariadne-eval");
+  eval_app::Arguments a;
+  try {
+    a = parse(app, args);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0) return app.exit(e, out, err);
+    throw core::UsageError(std::string(e.what()) + " (see --help)");
+  }
+  const auto evaluation = eval_app::evaluate(a);
+  if (a.json)
+    eval_app::printJson(evaluation, out);
+  else
+    eval_app::printText(a, evaluation, out);
+  if (!a.plot.empty()) {
+    eval_app::writeErrorPlot(a.plot, *evaluation.truth, a.overwrite);
+    if (!a.json) out << "\nErrors as a picture: " << a.plot << '\n';
+  }
+  out.flush();
+  if (!out) throw core::Error("cannot write to the standard output");
+  return 0;
+}
+
+}  // namespace
+
+int runEvalApp(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
+  const auto fail = [&](const char* message, int code) {
+    err << "ariadne-eval: " << message << std::endl;
+    return code;
+  };
+  try {
+    return run(args, out, err);
+  } catch (const core::UsageError& e) {
+    return fail(e.what(), 2);
+  } catch (const std::exception& e) {
+    return fail(e.what(), 1);
+  }
+}
+
+}  // namespace ariadne

@@ -1,0 +1,100 @@
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "../io/temporary_folder.h"
+#include "ariadne/io/tum.h"
+#include "ariadne/io/whole_file.h"
+#include "ariadne/models/motion_model.h"
+#include "eval_app.h"
+
+namespace fs = std::filesystem;
+using namespace ariadne;
+
+class EvalApp : public TemporaryFolder {
+ protected:
+  int run(const std::vector<std::string>& args) {
+    out.str("");
+    err.str("");
+    return runEvalApp(args, out, err);
+  }
+  std::string path(const char* name) const { return (folder / name).string(); }
+  /// An arc of 40 poses; the estimate lies elsewhere and is `error` m off to its side at every
+  /// other.
+  void writeArc(double error) {
+    models::Trajectory truth;
+    models::Trajectory estimate;
+    for (int i = 0; i < 40; ++i) {
+      const mrpt::math::TPose2D pose(5 * std::cos(0.1 * i), 5 * std::sin(0.1 * i), 0.1 * i);
+      truth.push_back({100.0 + i, pose});
+      estimate.push_back(
+          {100.0 + i,
+           models::compose({7, 8, 1}, models::compose(pose, {i % 2 ? error : -error, 0, 0}))});
+    }
+    io::writeTum(path("truth.tum"), truth);
+    io::writeTum(path("estimate.tum"), estimate);
+  }
+  std::ostringstream out, err;
+};
+
+TEST_F(EvalApp, FindsTheKnownError) {
+  writeArc(0.05);
+  ASSERT_EQ(run({path("estimate.tum"), path("truth.tum"), "--json"}), 0) << err.str();
+  const auto json = nlohmann::json::parse(out.str());
+  EXPECT_NEAR(json["truth"]["ate_m"]["rmse"], 0.05, 1e-3);
+  EXPECT_EQ(json["truth"]["pairs"], 40);
+  EXPECT_NEAR(json["truth"]["ate_heading_deg"]["max"], 0, 0.1);
+}
+
+TEST_F(EvalApp, TextHasEveryMeasure) {
+  writeArc(0.05);
+  io::writeWhole(folder / "r.relations", "100 101 0.49 0.025 0 0 0 0.1\n1 2 0 0 0 0 0 0\n");
+  ASSERT_EQ(run({path("estimate.tum"), path("truth.tum"), "--relations", path("r.relations")}), 0)
+      << err.str();
+  for (const char* part : {"ATE, position", "RPE over 1 m", "relations, translation", "RMSE",
+                           "40 of 40 true poses", "1 relations are outside"})
+    EXPECT_NE(out.str().find(part), std::string::npos) << part << "\n" << out.str();
+}
+
+TEST_F(EvalApp, PlotsAndKeepsWhatIsThere) {
+  writeArc(0.05);
+  for (const char* name : {"p.png", "p.svg"}) {
+    const std::vector<std::string> args{path("estimate.tum"), path("truth.tum"), "--plot",
+                                        path(name)};
+    ASSERT_EQ(run(args), 0) << err.str();
+    EXPECT_GT(fs::file_size(folder / name), 3000U);
+    const auto before = io::readWhole(folder / name);
+    EXPECT_EQ(run(args), 1);
+    EXPECT_NE(err.str().find("exists"), std::string::npos);
+    EXPECT_EQ(io::readWhole(folder / name), before);
+    auto again = args;
+    again.push_back("-w");
+    EXPECT_EQ(run(again), 0) << err.str();
+  }
+  EXPECT_EQ(run({path("estimate.tum"), path("truth.tum"), "--plot", path("p.pdf")}), 2);
+  EXPECT_EQ(run({path("estimate.tum"), path("truth.tum"), "--plot", "/nowhere/p.png"}), 1);
+}
+
+TEST_F(EvalApp, SaysWhenNothingMatchesInTime) {
+  writeArc(0);
+  io::writeTum(folder / "late.tum", {{5000, {}}, {5001, {}}});
+  EXPECT_EQ(run({path("estimate.tum"), path("late.tum")}), 1);
+  for (const char* part : {"no time in common", "100.00 to 139.00", "5000.00 to 5001.00"})
+    EXPECT_NE(err.str().find(part), std::string::npos) << err.str();
+  io::writeWhole(folder / "r.relations", "1 2 0 0 0 0 0 0\n");
+  EXPECT_EQ(run({path("estimate.tum"), "--relations", path("r.relations")}), 1);
+}
+
+TEST_F(EvalApp, WrongUseAndBadFiles) {
+  writeArc(0);
+  EXPECT_EQ(run({}), 2);
+  EXPECT_EQ(run({path("estimate.tum")}), 2);
+  EXPECT_EQ(run({path("estimate.tum"), path("truth.tum"), "--delta", "-1"}), 2);
+  EXPECT_EQ(run({"--relations", "x", path("estimate.tum"), "--plot", "p.png"}), 2);
+  EXPECT_EQ(run({path("none.tum"), path("truth.tum")}), 1);
+  EXPECT_NE(err.str().find("none.tum"), std::string::npos);
+  io::writeWhole(folder / "bad.tum", "1 2 nan 4 5 6 7 8\n");
+  EXPECT_EQ(run({path("bad.tum"), path("truth.tum")}), 1);
+  EXPECT_NE(err.str().find("bad.tum:1"), std::string::npos);
+  EXPECT_EQ(run({"--help"}), 0);
+  EXPECT_NE(out.str().find("Examples"), std::string::npos);
+}
