@@ -41,6 +41,7 @@ void text(cairo_t* cr, double x, double y, const std::string& s, double align) {
   cairo_text_extents(cr, s.c_str(), &size);
   cairo_move_to(cr, x - align * size.width, y);
   cairo_show_text(cr, s.c_str());
+  cairo_new_path(cr);  // else the next line begins at the text's end
 }
 
 void drawAxes(cairo_t* cr, const Axes& a, const char* x_label, const char* y_label) {

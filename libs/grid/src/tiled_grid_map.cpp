@@ -1,6 +1,7 @@
 #include "ariadne/grid/tiled_grid_map.h"
 
 #include <mrpt/config/CConfigFileBase.h>
+#include <mrpt/core/initializer.h>
 #include <mrpt/io/CFileGZOutputStream.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/opengl/CSetOfObjects.h>
@@ -19,12 +20,15 @@ using mrpt::obs::CObservation2DRangeScan;
 IMPLEMENTS_SERIALIZABLE(TiledGridMap, CMetricMap, ariadne::grid)
 MAP_DEFINITION_REGISTER("ariadne::grid::TiledGridMap,tiledGrid", ariadne::grid::TiledGridMap)
 
+MRPT_INITIALIZER(registerTiledGridMapClass) {
+  mrpt::rtti::registerClass(CLASS_ID(ariadne::grid::TiledGridMap));
+}
+
 namespace ariadne::grid {
 
 void registerTiledGridMap() {
   // Referring to the id is what links this file in; the rest happened before main().
   ASSERT_(&TiledGridMap::m_private_map_register_id != nullptr);
-  mrpt::rtti::registerClass(CLASS_ID(TiledGridMap));
 }
 
 void setUpdateCertainty(GridParams& params, double certainty) {
