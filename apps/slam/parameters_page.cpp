@@ -35,7 +35,6 @@ error; a points map becomes a grid.
 | `RANDOM_SEED` | [filter] `seed`; negative: the default |
 | `PF_algorithm` | [filter] `proposal`: 0 and 1 odometry, 2 and 3 improved |
 | `resamplingMethod`, `BETA` | [filter] `resampling`, `beta` |
-| `powFactor` | [filter] `weight_gain` |
 | `insertionLinDistance`, `localizeLinDistance` | [update] `update_distance_m`: the shorter one; an update does both |
 | `insertionAngDistance_deg`, `localizeAngDistance_deg` | [update] `update_angle_deg`: the smaller one |
 | `resolution` | [grid] `resolution_m` |

@@ -66,8 +66,7 @@ Json costs(const RunResult& r, double writing_s) {
   const double mapping_s = r.record.total_s;
   return {{"wall_s",
            {{"reading", r.record.reading_s},
-            {"predict_match_weigh", r.stages.predict_s},
-            {"resample", r.stages.resample_s},
+            {"predict_match_weigh_resample", r.stages.predict_s},
             {"insert", r.stages.insert_s},
             {"reading_and_mapping", mapping_s},
             {"writing", writing_s}}},

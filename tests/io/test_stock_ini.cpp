@@ -73,7 +73,8 @@ TEST(StockIni, ValuesArriveWhereTheyBelong) {
   const slam::SlamParams& p = ini.params;
   EXPECT_EQ(p.filter.particles, 25);
   EXPECT_EQ(p.filter.beta, 0.5);
-  EXPECT_EQ(p.filter.weight_gain, 0.01);
+  EXPECT_EQ(p.filter.weight_gain,
+            filter::FilterParams().weight_gain);  // powFactor is another scale
   EXPECT_EQ(p.filter.proposal, filter::Proposal::improved);
   EXPECT_EQ(p.filter.resampling, filter::Resampling::multinomial);
   EXPECT_EQ(p.update.update_distance_m, 1);

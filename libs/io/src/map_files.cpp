@@ -5,7 +5,10 @@
 #include <mrpt/serialization/CArchive.h>
 #include <zlib.h>
 
-#include <cmath>
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
 
 #include "ariadne/core/error.h"
 #include "ariadne/io/png.h"
@@ -21,15 +24,24 @@ constexpr std::uint8_t kFree = 254;
 constexpr std::uint8_t kOccupied = 0;
 constexpr std::uint8_t kUnknown = 205;
 
-/// One byte a cell, the northernmost row first.
+void requireCells(const fs::path& file, const Grid& map) {
+  if (map.getSizeX() == 0 || map.getSizeY() == 0)
+    throw core::Error(fmt::format("cannot write {}: the map has no cells", file.string()));
+}
+
+/// `header`, then one byte a cell, the northernmost row first.
 template <class Shade>
-std::string shades(const Grid& map, Shade&& shade) {
-  std::string pixels;
-  pixels.reserve(std::size_t{map.getSizeX()} * map.getSizeY());
+std::string shades(const Grid& map, std::string_view header, Shade&& shade) {
+  std::array<char, 256> shade_of{};
+  for (int c = -128; c < 128; ++c)
+    shade_of[static_cast<std::uint8_t>(c)] =
+        static_cast<char>(shade(static_cast<Grid::cellType>(c)));
+  std::string pixels(header.size() + std::size_t{map.getSizeX()} * map.getSizeY(), '\0');
+  char* pixel = std::copy(header.begin(), header.end(), pixels.data());
   for (int y = static_cast<int>(map.getSizeY()); y-- > 0;) {
     const auto* row = map.getRow(y);
-    for (unsigned x = 0; x < map.getSizeX(); ++x)
-      pixels.push_back(static_cast<char>(shade(row[x])));
+    pixel = std::transform(row, row + map.getSizeX(), pixel,
+                           [&](auto c) { return shade_of[static_cast<std::uint8_t>(c)]; });
   }
   return pixels;
 }
@@ -74,34 +86,52 @@ void writeSerialised(const fs::path& file, const T& object) {
   writeWhole(file, gzip(memory.getRawBufferData(), memory.getTotalBytesCount()));
 }
 
-/// Decimal of a float of MRPT's: 0.05, not 0.0500000007.
-double decimal(float v) { return std::round(static_cast<double>(v) * 1e6) / 1e6; }
+/// As a YAML string: a file name may hold a colon, a hash or spaces.
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + '"';
+}
 
 }  // namespace
 
 void writeMapPng(const fs::path& file, const Grid& map) {
-  const std::string pixels = shades(map, [](Grid::cellType c) { return Grid::l2p_255(c); });
+  requireCells(file, map);
+  const std::string pixels = shades(map, "", [](Grid::cellType c) { return Grid::l2p_255(c); });
   Picture picture;
   picture.width = map.getSizeX();
   picture.height = map.getSizeY();
   picture.pixels = reinterpret_cast<const std::uint8_t*>(pixels.data());
   picture.stride = picture.width;
-  writeWhole(file, encodePng(picture));
+  std::string png;
+  try {
+    png = encodePng(picture);
+  } catch (const core::Error& e) {
+    throw core::Error(fmt::format("cannot write {}, {} x {} cells: {}", file.string(),
+                                  picture.width, picture.height, e.what()));
+  }
+  writeWhole(file, png);
 }
 
 void writeRosMap(const fs::path& pgm_file, const Grid& map) {
-  const std::string pixels = shades(map, [](Grid::cellType c) {
-    return c > 0 ? kFree : c < 0 ? kOccupied : kUnknown;
-  });
-  writeWhole(pgm_file, fmt::format("P5\n{} {}\n255\n", map.getSizeX(), map.getSizeY()) + pixels);
+  requireCells(pgm_file, map);
+  const std::string header = fmt::format("P5\n{} {}\n255\n", map.getSizeX(), map.getSizeY());
+  writeWhole(pgm_file, shades(map, header, [](Grid::cellType c) {
+               return c > 0 ? kFree : c < 0 ? kOccupied : kUnknown;
+             }));
 
   fs::path yaml = pgm_file;
   yaml.replace_extension(".yaml");
-  // 205 is 0.196 occupied: well between the thresholds, whichever way a loader rounds.
+  // 205 is 0.196 occupied: well between the thresholds, whichever way a loader rounds. The floats
+  // are printed with all digits that matter: loaders snap the origin to whole cells, so a
+  // resolution of 1/30 m cut to 0.033333 would move the map.
   writeWhole(yaml, fmt::format("image: {}\nmode: trinary\nresolution: {}\norigin: [{}, {}, 0.0]\n"
                                "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.15\n",
-                               pgm_file.filename().string(), decimal(map.getResolution()),
-                               decimal(map.getXMin()), decimal(map.getYMin())));
+                               quoted(pgm_file.filename().string()), map.getResolution(),
+                               map.getXMin(), map.getYMin()));
 }
 
 void writeGridmap(const fs::path& file, const Grid& map) { writeSerialised(file, map); }

@@ -69,7 +69,6 @@ std::vector<StockRule> makeRules() {
       {"", "PF_algorithm", setProposal},
       {"", "resamplingMethod", setResampling},
       {"", "BETA", [](S& s, const E& e) { s.params.filter.beta = mrptNumber(e); }},
-      {"", "powFactor", [](S& s, const E& e) { s.params.filter.weight_gain = mrptNumber(e); }},
       {"", "insertionLinDistance", number(&S::insertion_distance_m)},
       {"", "insertionAngDistance_deg", number(&S::insertion_angle_deg)},
       {"", "localizeLinDistance", number(&S::localize_distance_m)},
@@ -107,6 +106,7 @@ const std::vector<std::string>& stockKeysWithoutMeaning() {
       "minDistBetweenLaserPoints", "fuseWithExisting", "isPlanarMap", "max_corr_distance",
       "sigma_dist",
       // the stock filter's own
+      "powFactor",  // tempers another likelihood: ours has weight_gain, with its own default
       "pfAuxFilterOptimal_MaximumSearchSamples", "pfAuxFilterStandard_FirstStageWeightsMonteCarlo",
       "pfAuxFilterOptimal_MLE", "pfOptimalProposal_mapSelection", "max_loglikelihood_dyn_range",
       "KLD_maxSampleSize", "KLD_minSampleSize", "KLD_minSamplesPerBin", "KLD_binSize_XY",

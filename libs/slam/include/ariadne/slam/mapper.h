@@ -17,8 +17,7 @@ namespace ariadne::slam {
 
 /// Wall-clock seconds by stage, summed over all updates.
 struct StageTimes {
-  double predict_s = 0;  ///< motion model, scan match, proposal, weight
-  double resample_s = 0;
+  double predict_s = 0;  ///< motion model, scan match, proposal, weight, resampling
   double insert_s = 0;  ///< scans into maps, checkpoints
 };
 
