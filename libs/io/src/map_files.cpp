@@ -134,7 +134,10 @@ void writeRosMap(const fs::path& pgm_file, const Grid& map) {
                                map.getXMin(), map.getYMin()));
 }
 
-void writeGridmap(const fs::path& file, const Grid& map) { writeSerialised(file, map); }
+void writeGridmap(const fs::path& file, const Grid& map) {
+  requireCells(file, map);  // MRPT would not load it again
+  writeSerialised(file, map);
+}
 
 void writeSimplemap(const fs::path& file, const mrpt::maps::CSimpleMap& map) {
   writeSerialised(file, map);

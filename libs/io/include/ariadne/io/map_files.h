@@ -1,6 +1,6 @@
 // Maps as files for other programs. All are written whole or not at all and throw core::Error
-// naming the path: when it cannot be written, and for pictures of a map without cells. A cell is
-// free when its log odds are over 0, occupied when under, unknown at exactly 0.
+// naming the path when that cannot be done, or when a grid has no cells (loaders refuse those). A
+// cell is free when its log odds are over 0, occupied when under, unknown at exactly 0.
 #pragma once
 #include <mrpt/maps/COccupancyGridMap2D.h>
 #include <mrpt/maps/CSimpleMap.h>
