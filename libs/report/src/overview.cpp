@@ -18,7 +18,7 @@ namespace {
 using Grid = mrpt::maps::COccupancyGridMap2D;
 
 constexpr int kLongSide = 1200;   // pixels of map, at most
-constexpr int kLeastWidth = 560;  // for the footer's text
+constexpr int kLeastWidth = 640;  // for the footer's text
 constexpr int kMargin = 20;
 constexpr int kFooter = 50;  // for scale bar and text
 
@@ -120,13 +120,13 @@ void drawFooter(cairo_t* cr, const models::Trajectory& path, const View& view, d
   cairo_stroke(cr);
   drawText(cr, bar_end + 8, first_line, fmt::format("{:g} m", bar));
 
-  const std::string size = fmt::format("map {:.4g} x {:.4g} m", width_m, height_m);
+  const std::string size = fmt::format("map {:.1f} x {:.1f} m", width_m, height_m);
   if (path.empty()) {
     drawText(cr, view.margin, second_line, size);
     return;
   }
   const double x = drawText(cr, view.margin, second_line,
-                            fmt::format("{}, path {:.4g} m", size, lengthOf(path)));
+                            fmt::format("{}, path {:.1f} m", size, lengthOf(path)));
   drawLegend(cr, x + 24, second_line, path.back().time_s - path.front().time_s);
 }
 
