@@ -70,13 +70,16 @@ TEST_F(Overview, ShowsMapAndPathInTheirPlaces) {
   EXPECT_LT(image.getAsFloat(320, 320), 0.8) << "no line between start and end";
 }
 
-TEST_F(Overview, ColoursFollowTimeNotTheNumberOfPoses) {
-  // Eight seconds standing at x = 1, then along y = 3 in two: red from the first metre on.
+TEST_F(Overview, APauseInTheLogDoesNotUseUpTheColours) {
+  // Along y = 3 from x = 1 to x = 5; hours pass before the last pose.
   Trajectory path;
-  for (int i = 0; i < 10; ++i) path.push_back({i * 0.01, {1, 3, 0}});
-  for (int i = 0; i <= 40; ++i) path.push_back({8 + i * 0.05, {1 + i * 0.1, 3, 0}});
+  for (int i = 0; i <= 40; ++i) path.push_back({i < 40 ? i * 0.1 : 10000, {1 + i * 0.1, 3, 0}});
   const auto image = drawn(withRoom(120, 60, 0, 0, 120, 60), path);
-  EXPECT_TRUE(isRed(image(220, 320)));
+  EXPECT_TRUE(isBlue(image(140, 320)));
+  const auto* middle = image(320, 320);
+  EXPECT_GT(middle[1], middle[0]) << "not green";
+  EXPECT_GT(middle[1], middle[2]) << "not green";
+  EXPECT_TRUE(isRed(image(500, 320)));
 }
 
 TEST_F(Overview, OnlyTheKnownPartIsShown) {

@@ -29,12 +29,8 @@ void setTimeColour(cairo_t* cr, double share) {
                        std::clamp(1.2 - 2 * share, 0.05, 0.9));
 }
 
-/// Of the path's duration, at its i-th pose.
-double timeShare(const models::Trajectory& path, std::size_t i) {
-  const double duration = path.back().time_s - path.front().time_s;
-  return duration > 0 ? std::clamp((path[i].time_s - path.front().time_s) / duration, 0.0, 1.0) : 0;
-}
-
+/// Every pose takes the same share of the colours: a log with a pause of hours would be all blue
+/// and red by the clock.
 void drawPath(cairo_t* cr, const models::Trajectory& path, const View& view) {
   constexpr std::size_t kColours = 64;
   if (path.size() < 2) return;
@@ -48,7 +44,7 @@ void drawPath(cairo_t* cr, const models::Trajectory& path, const View& view) {
     cairo_move_to(cr, view.x(path[from].pose.x), view.y(path[from].pose.y));
     for (std::size_t i = from + 1; i <= to; ++i)
       cairo_line_to(cr, view.x(path[i].pose.x), view.y(path[i].pose.y));
-    setTimeColour(cr, timeShare(path, (from + to) / 2));
+    setTimeColour(cr, (static_cast<double>(k) + 0.5) / kColours);
     cairo_stroke(cr);
   }
 }
