@@ -50,8 +50,8 @@ double EndpointLikelihood::operator()(const OccupancyGrid& map, const std::vecto
 Eigen::Matrix3d EndpointLikelihood::information(const OccupancyGrid& map,
                                                 const std::vector<TPoint2D>& points,
                                                 const TPose2D& map_from_robot) const {
-  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-  if (points.empty()) return sum;
+  if (points.empty()) return Eigen::Matrix3d::Zero();
+  double xx = 0, xy = 0, xt = 0, yy = 0, yt = 0, tt = 0;
   FieldSampler field(map);
   const double c = std::cos(map_from_robot.phi);
   const double s = std::sin(map_from_robot.phi);
@@ -64,9 +64,18 @@ Eigen::Matrix3d EndpointLikelihood::information(const OccupancyGrid& map,
       const FieldSample f =
           field.sample(map_from_robot.x + side[0] * h + rx, map_from_robot.y + side[1] * h + ry);
       const double slope = slope_[static_cast<int>(f.value * 255)];
-      const Eigen::Vector3d gradient(slope * f.dx, slope * f.dy, slope * (f.dy * rx - f.dx * ry));
-      sum.noalias() += gradient * gradient.transpose();
+      const double gx = slope * f.dx;
+      const double gy = slope * f.dy;
+      const double gt = gy * rx - gx * ry;
+      xx += gx * gx;
+      xy += gx * gy;
+      xt += gx * gt;
+      yy += gy * gy;
+      yt += gy * gt;
+      tt += gt * gt;
     }
+  Eigen::Matrix3d sum;
+  sum << xx, xy, xt, xy, yy, yt, xt, yt, tt;
   // Two sides an axis; at distance h a beam's gradient is h / sigma^2, the information 1 / sigma^2.
   return sum *
          (0.5 * std::pow(hit_sigma_m_ / h, 2) * kNominalBeams / static_cast<double>(points.size()));

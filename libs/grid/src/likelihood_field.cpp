@@ -35,6 +35,20 @@ void raiseToProduct(std::uint8_t* __restrict out, const std::uint8_t* __restrict
     }
 }
 
+/// True when no cell is occupied; eight at a time, by their signs.
+bool noneNegative(const std::int8_t* cells, int n) {
+  std::uint64_t signs = 0;
+  int i = 0;
+  for (; i + 8 <= n; i += 8) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, cells + i, 8);
+    signs |= word;
+  }
+  std::int8_t rest = 0;
+  for (; i < n; ++i) rest = static_cast<std::int8_t>(rest | cells[i]);
+  return (signs & 0x8080808080808080U) == 0 && rest >= 0;
+}
+
 /// A small dense window of the field, rebuilt from the occupied cells about it.
 class Window {
  public:
@@ -61,6 +75,7 @@ class Window {
       const auto* tile = log_odds.tile(tx, ty);
       if (!tile) return;
       const std::int8_t* cells = &(*tile)[TiledPlane<std::int8_t>::offset(part.x0, y)];
+      if (noneNegative(cells, part.x1 - part.x0)) return;
       for (int i = 0; i < part.x1 - part.x0; ++i) {
         if (cells[i] >= 0) continue;
         if (!any) std::fill(row_.begin(), row_.end(), 0);

@@ -27,7 +27,10 @@ void forEachEdge(const std::vector<TPoint2D>& vertices, F&& f) {
   }
 }
 
+/// A row of a scan's outline meets the edges in the order of the beams: sorted already, one way or
+/// the other.
 void sortRow(int* begin, int* end) {
+  if (end - begin > 1 && *begin > end[-1]) std::reverse(begin, end);
   if (end - begin > 24) {
     std::sort(begin, end);
     return;
