@@ -40,6 +40,14 @@ TEST_F(WholeFile, AFailingWriterLeavesTheOldFile) {
   EXPECT_EQ(files(), 1U);
 }
 
+TEST_F(WholeFile, RefusesWhatIsNoFile) {
+  fs::create_directory(folder / "sub");
+  EXPECT_THROW(writeWhole(folder / "sub", "x"), ariadne::core::Error);
+  fs::create_symlink("/dev/null", folder / "null");
+  EXPECT_THROW(writeWhole(folder / "null", "x"), ariadne::core::Error);
+  EXPECT_TRUE(fs::is_symlink(folder / "null"));
+}
+
 TEST_F(WholeFile, NamesAPathThatCannotBeWritten) {
   try {
     writeWhole(folder / "missing" / "a.txt", "x");

@@ -19,8 +19,10 @@ void append(png_structp png, png_bytep data, png_size_t size) {
   static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<char*>(data), size);
 }
 
+void ignore(png_structp, png_const_charp) {}  // an error follows where it matters
+
 struct Writer {
-  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, nullptr);
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, ignore);
   png_infop info = png ? png_create_info_struct(png) : nullptr;
   Writer() = default;
   Writer(const Writer&) = delete;

@@ -54,6 +54,11 @@ fs::path temporaryName(const fs::path& path) {
 }  // namespace
 
 void writeWhole(const fs::path& path, const std::function<void(const fs::path&)>& write) {
+  std::error_code ignored;
+  const auto status = fs::status(path, ignored);
+  // Renaming over a device would replace it.
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    throw core::Error(fmt::format("cannot write {}: it is no regular file", path.string()));
   Temporary temporary{temporaryName(path)};
   write(temporary.path);
   {
