@@ -8,7 +8,7 @@ namespace ariadne::grid {
 struct GridParams {
   double resolution_m = 0.05;
   double insert_range_m = 30;
-  double free_probability = 0.6;
+  double free_probability = 0.65;
   double occupied_probability = 0.9;
   double no_return_free_m = 0;
   double field_sigma_m = 0.07;
