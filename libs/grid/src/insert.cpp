@@ -19,6 +19,30 @@ struct Hit {
   std::int8_t before;
 };
 
+/// Reads cells near each other: the last tile is remembered. Valid until the plane is written to.
+class CellReader {
+ public:
+  explicit CellReader(const Plane& plane) : plane_(plane) {}
+  std::int8_t at(Cell c) {
+    const int tx = c.x >> kTileBits;
+    const int ty = c.y >> kTileBits;
+    if (!looked_ || tx != tx_ || ty != ty_) {
+      tile_ = plane_.tile(tx, ty);
+      tx_ = tx;
+      ty_ = ty;
+      looked_ = true;
+    }
+    return tile_ ? (*tile_)[Plane::offset(c.x, c.y)] : std::int8_t{0};
+  }
+
+ private:
+  const Plane& plane_;
+  const Plane::Tile* tile_ = nullptr;
+  int tx_ = 0;
+  int ty_ = 0;
+  bool looked_ = false;
+};
+
 /// A tile of the row in work.
 struct OpenTile {
   const std::int8_t* read = nullptr;
@@ -77,11 +101,12 @@ class TileRowFiller {
       if (sum != *value) cells_.setUniform(tx, ty_, static_cast<std::int8_t>(sum));
       return;
     }
+    OpenTile& open = tileAt(tx);
     bool all_free = true;
     for (int y = 0; y < kTileCells; ++y) {
-      fillPart(tx, ty_ * kTileCells + y, 0, kTileCells);
-      all_free = all_free && allMostFree(tileAt(tx).read + y * kTileCells) &&
-                 allMostFree(tileAt(tx).read + y * kTileCells + kLanes);
+      fillPart(open, tx, ty_ * kTileCells + y, 0, kTileCells);
+      all_free = all_free && allMostFree(open.read + y * kTileCells) &&
+                 allMostFree(open.read + y * kTileCells + kLanes);
     }
     if (all_free) cells_.setUniform(tx, ty_, kMostFree);
   }
@@ -91,36 +116,41 @@ class TileRowFiller {
       const int tx = x >> kTileBits;
       const int base = tx << kTileBits;
       const int end = std::min(x1, base + kTileCells);
-      if (tileAt(tx).covered_rows != kTileCells) fillPart(tx, y, x - base, end - base);
+      OpenTile& tile = tileAt(tx);
+      if (tile.covered_rows != kTileCells) fillPart(tile, tx, y, x - base, end - base);
       x = end;
     }
   }
 
   /// Cells [begin, end) of row y of the tile.
-  void fillPart(int tx, int y, int begin, int end) {
+  void fillPart(OpenTile& tile, int tx, int y, int begin, int end) {
     static_assert(kTileCells == 2 * kLanes);
-    if (begin < kLanes) fillLanes(tx, 0, y, begin, std::min(end, kLanes));
-    if (end > kLanes) fillLanes(tx, kLanes, y, std::max(begin - kLanes, 0), end - kLanes);
+    const int row = (y & (kTileCells - 1)) << kTileBits;
+    if (!tile.write && !openForChange(tile, tx, row, begin, end)) return;
+    std::int8_t* cells = tile.write + row;
+    unsigned freed = 0;
+    if (begin < kLanes) freed = lanes_.add(cells, begin, std::min(end, kLanes));
+    if (end > kLanes)
+      freed |= lanes_.add(cells + kLanes, std::max(begin - kLanes, 0), end - kLanes) << kLanes;
+    for (; freed != 0; freed &= freed - 1)
+      freed_.push_back({(tx << kTileBits) + __builtin_ctz(freed), y});
   }
 
-  /// Lanes [begin, end) of the sixteen from cell `x` of the tile on.
-  void fillLanes(int tx, int x, int y, int begin, int end) {
-    OpenTile& tile = tileAt(tx);
-    const int offset = ((y & (kTileCells - 1)) << kTileBits) + x;
-    if (!tile.write && !openForChange(tile, tx, offset, begin, end)) return;
-    for (unsigned bits = lanes_.add(tile.write + offset, begin, end); bits != 0; bits &= bits - 1)
-      freed_.push_back({(tx << kTileBits) + x + __builtin_ctz(bits), y});
-  }
-
-  /// False when the lanes would not change: a shared tile then stays shared.
-  bool openForChange(OpenTile& tile, int tx, int offset, int begin, int end) {
+  /// False when the cells would not change: a shared tile then stays shared.
+  bool openForChange(OpenTile& tile, int tx, int row, int begin, int end) {
     if (!tile.read) {
       if (const auto* t = cells_.tile(tx, ty_)) {
         tile.read = t->data();
         prefetch(tile.read);
       }
     }
-    if (tile.read && !lanes_.changes(tile.read + offset, begin, end)) return false;
+    if (tile.read) {
+      const std::int8_t* cells = tile.read + row;
+      const bool left = begin < kLanes && lanes_.changes(cells, begin, std::min(end, kLanes));
+      if (!left && !(end > kLanes &&
+                     lanes_.changes(cells + kLanes, std::max(begin - kLanes, 0), end - kLanes)))
+        return false;
+    }
     tile.write = cells_.writeTile(tx, ty_).data();
     tile.read = tile.write;
     return true;
@@ -183,10 +213,11 @@ void OccupancyGrid::insert(const ScanShape& shape, const mrpt::math::TPose2D& ma
   for (const TPoint2D& p : shape.outline) scratch.outline.push_back(toCells(p));
   // What the hit cells held before any change: a cell hit twice, or passed and hit, is hit once.
   scratch.hits.clear();
+  CellReader before(cells_);
   for (const TPoint2D& p : shape.hits) {
     const TPoint2D v = toCells(p);
     const Cell cell{floorToInt(v.x), floorToInt(v.y)};
-    scratch.hits.push_back({cell, at(cell)});
+    scratch.hits.push_back({cell, before.at(cell)});
   }
   scratch.freed.clear();
   fillOutline(cells_, evidence_.free, scratch);
