@@ -114,7 +114,7 @@ class TileRowFiller {
   void fillSpan(int y, int x0, int x1) {
     for (int x = x0; x < x1;) {
       const int tx = x >> kTileBits;
-      const int base = tx << kTileBits;
+      const int base = tx * kTileCells;
       const int end = std::min(x1, base + kTileCells);
       OpenTile& tile = tileAt(tx);
       if (tile.covered_rows != kTileCells) fillPart(tile, tx, y, x - base, end - base);
@@ -133,7 +133,7 @@ class TileRowFiller {
     if (end > kLanes)
       freed |= lanes_.add(cells + kLanes, std::max(begin - kLanes, 0), end - kLanes) << kLanes;
     for (; freed != 0; freed &= freed - 1)
-      freed_.push_back({(tx << kTileBits) + __builtin_ctz(freed), y});
+      freed_.push_back({tx * kTileCells + __builtin_ctz(freed), y});
   }
 
   /// False when the cells would not change: a shared tile then stays shared.
