@@ -1,6 +1,6 @@
-// Real logs against committed bounds. They were found over seeds 1 to 10 (doc/benchmarks): the median
-// of the ATE is 0.09 m on CSAIL and 0.07 m on Intel; the bound for one seed is the for the
-// worst of ten, less half of it.
+// Real logs against committed bounds. They were found over seeds 1 to 10 (doc/benchmarks): the worst
+// ATE of the ten is 0.106 m on CSAIL and 0.107 m on Intel; the bounds for one seed leave twice and half of
+// that again.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
