@@ -75,7 +75,7 @@ TEST(ParticleSet, SameBitsOnAnyNumberOfThreads) {
       const ParticleSet& other = drives[d]->set;
       EXPECT_EQ(one[i].map_from_robot.x, other[i].map_from_robot.x);
       EXPECT_EQ(one[i].map_from_robot.phi, other[i].map_from_robot.phi);
-      EXPECT_EQ(one[i].accumulated, other[i].accumulated);
+      EXPECT_EQ(one[i].accumulated(), other[i].accumulated());
       EXPECT_EQ(one.getW(i), other.getW(i));
       const auto box = one[i].map.knownBox();
       for (int y = box.y0; y < box.y1; ++y)
@@ -110,7 +110,7 @@ TEST(ParticleSet, ResamplingKeepsLinesMapsAndAccumulatedWeights) {
   const std::vector<std::size_t> parents{0, 0, 3, 3, 3, 5, 6, 7, 8, 9, 10, 11};
   for (std::size_t i = 0; i < parents.size(); ++i) {
     EXPECT_EQ(drive.set[i].ancestor, before[parents[i]].ancestor);
-    EXPECT_EQ(drive.set[i].accumulated, before[parents[i]].accumulated);
+    EXPECT_EQ(drive.set[i].accumulated(), before[parents[i]].accumulated());
     EXPECT_EQ(drive.set.getW(i), 0);
     EXPECT_EQ(drive.set[i].map.cells().tile(0, 0), before[parents[i]].map.cells().tile(0, 0));
   }

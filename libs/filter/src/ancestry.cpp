@@ -1,5 +1,6 @@
 #include "ariadne/filter/ancestry.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ariadne::filter {
@@ -11,6 +12,26 @@ Ancestor::~Ancestor() {
     AncestorPtr above = std::move(next->parent_);
     next = std::move(above);
   }
+}
+
+AncestorPtr ancestorAt(const AncestorPtr& leaf, std::size_t step) {
+  const AncestorPtr* a = &leaf;
+  while (*a && (*a)->step() > step) a = &(*a)->parent();
+  return *a && (*a)->step() == step ? *a : nullptr;
+}
+
+std::size_t distinctAncestors(const std::vector<AncestorPtr>& leaves, std::size_t step) {
+  std::vector<const Ancestor*> nodes;
+  for (const AncestorPtr& leaf : leaves) nodes.push_back(leaf.get());
+  // Resampling lays children of one parent side by side, so lines mostly join as neighbours: walked
+  // in step, they are soon few. Recovery mixes them, so the end needs a sort.
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  while (!nodes.empty() && nodes.front()->step() > step) {
+    for (const Ancestor*& n : nodes) n = n->parent().get();
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  }
+  std::sort(nodes.begin(), nodes.end());
+  return static_cast<std::size_t>(std::unique(nodes.begin(), nodes.end()) - nodes.begin());
 }
 
 std::size_t earlierPasses(const AncestorPtr& leaf, double radius_m) {

@@ -56,7 +56,7 @@ ParticleSet::ParticleSet(const FilterModels& models, const core::Parallel& paral
 std::size_t ParticleSet::best() const {
   const auto it = std::max_element(
       m_particles.begin(), m_particles.end(),
-      [](const auto& a, const auto& b) { return a.d.accumulated < b.d.accumulated; });
+      [](const auto& a, const auto& b) { return a.d.accumulated() < b.d.accumulated(); });
   return static_cast<std::size_t>(it - m_particles.begin());
 }
 
@@ -107,7 +107,6 @@ void ParticleSet::predictMatchWeigh(const mrpt::obs::CActionCollection* action,
     const double increment = figures_.evidence * outcomes[i].log_weight;
     Particle& particle = m_particles[i].d;
     m_particles[i].log_w += increment;
-    particle.accumulated += increment;
     particle.map_from_robot = outcomes[i].pose;
     particle.ancestor = std::make_shared<Ancestor>(std::move(particle.ancestor), step_,
                                                    outcomes[i].pose, increment);
@@ -116,8 +115,9 @@ void ParticleSet::predictMatchWeigh(const mrpt::obs::CActionCollection* action,
   const std::vector<double> w = weights();
   for (std::size_t i = 0; i < size(); ++i)
     figures_.log_likelihood += w[i] * outcomes[i].log_likelihood;
-  twin_.resize(size());
-  std::iota(twin_.begin(), twin_.end(), 0);
+  parents_.resize(size());
+  std::iota(parents_.begin(), parents_.end(), 0);
+  twin_ = parents_;
 }
 
 ParticleSet::Outcome ParticleSet::propose(std::size_t i, const models::Motion& motion) const {
@@ -176,7 +176,17 @@ void ParticleSet::performSubstitution(const std::vector<size_t>& drawn) {
     twin_.push_back(first_child[indices[i]]);
   }
   m_particles = std::move(next);
+  parents_ = std::move(indices);
   figures_.resampled = true;
+}
+
+void ParticleSet::replace(std::vector<Particle> particles, const std::vector<double>& weights) {
+  ASSERT_EQUAL_(particles.size(), weights.size());
+  m_particles.resize(particles.size());
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    m_particles[i].d = std::move(particles[i]);
+    m_particles[i].log_w = std::log(weights[i]);
+  }
 }
 
 void ParticleSet::insertScan(std::size_t checkpoint_updates) {

@@ -16,6 +16,7 @@
 #include "ariadne/core/random.h"
 #include "ariadne/filter/particle_set.h"
 #include "ariadne/grid/conversion.h"
+#include "ariadne/slam/loop_closer.h"
 #include "ariadne/slam/pose_path.h"
 
 namespace ariadne::slam {
@@ -26,6 +27,7 @@ using mrpt::math::TPose2D;
 const SlamParams& validated(const SlamParams& params) {
   forEachSection(params,
                  [](const char* section, const auto& p) { core::validateFields(p, section); });
+  closing::validate(params.loop_closing, "loop_closing");
   return params;
 }
 
@@ -77,7 +79,8 @@ struct Mapper::Impl {
   Impl(const SlamParams& p, int threads, const mrpt::maps::CSimpleMap& known, const TPose2D& start)
       : params(validated(p)),
         parallel(threads),
-        particles(modelsOf(params), parallel, start, gridOf(known, params.grid)) {
+        particles(modelsOf(params), parallel, start, gridOf(known, params.grid)),
+        loops(params, parallel) {
     particle_filter.m_options = filter::particleFilterOptions(params.filter);
   }
 
@@ -94,6 +97,7 @@ struct Mapper::Impl {
   SlamParams params;
   core::Parallel parallel;
   filter::ParticleSet particles;
+  LoopCloser loops;
   mrpt::bayes::CParticleFilter particle_filter;
   TPose2D last_update_odom;
   std::vector<OdometryRecord> records;
@@ -127,10 +131,15 @@ StepReport Mapper::Impl::update(const models::SensorStep& step) {
     Stopwatch watch(times.insert_s);
     particles.insertScan(static_cast<std::size_t>(params.update.checkpoint_updates));
   }
-  report.best = particles.best();
-  report.map_from_robot = particles[report.best].map_from_robot;
-  last_update_odom = step.odom_from_robot;
   scans.push_back(step.scan);
+  last_update_odom = step.odom_from_robot;
+  report.best = particles.best();
+  {
+    Stopwatch watch(times.loops_s);
+    loops.update(particles, scans, report);
+  }
+  report.best = particles.best();  // recovery may have brought another
+  report.map_from_robot = particles[report.best].map_from_robot;
   return report;
 }
 
@@ -175,6 +184,9 @@ mrpt::maps::CSimpleMap Mapper::simpleMap() const {
   }
   return map;
 }
+
+const std::vector<topology::PlaceGraph>& Mapper::graphs() const { return impl_->loops.graphs(); }
+std::vector<ClosingRecord> Mapper::closings() const { return impl_->loops.records(); }
 
 StageTimes Mapper::times() const { return impl_->times; }
 std::size_t Mapper::updates() const { return impl_->scans.size(); }

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 namespace ariadne::filter {
 
@@ -20,7 +21,8 @@ class Ancestor {
       : parent_(std::move(parent)),
         step_(step),
         map_from_robot_(map_from_robot),
-        log_weight_(log_weight) {}
+        log_weight_(log_weight),
+        accumulated_((parent_ ? parent_->accumulated_ : 0) + log_weight) {}
   ~Ancestor();
   Ancestor(const Ancestor&) = delete;
   Ancestor& operator=(const Ancestor&) = delete;
@@ -29,12 +31,15 @@ class Ancestor {
   std::size_t step() const { return step_; }
   const mrpt::math::TPose2D& pose() const { return map_from_robot_; }
   double logWeight() const { return log_weight_; }
+  /// a of Eq. (8): sum of the increments along the line, this one's too.
+  double accumulated() const { return accumulated_; }
 
  private:
   mutable AncestorPtr parent_;  // let go one by one by the destructor
   std::size_t step_;
   mrpt::math::TPose2D map_from_robot_;
   double log_weight_;
+  double accumulated_;
 };
 
 /// Calls f(node) from `leaf` to the root until f returns false.
@@ -43,6 +48,13 @@ void forEachAncestor(const AncestorPtr& leaf, F&& f) {
   for (const Ancestor* a = leaf.get(); a && f(*a); a = a->parent().get()) {
   }
 }
+
+/// The node of update `step` on the line of `leaf`; null when it has none.
+AncestorPtr ancestorAt(const AncestorPtr& leaf, std::size_t step);
+
+/// How many nodes of update `step` the lines of all leaves go through; fewer than leaves where
+/// lines have coalesced. The leaves must be of one update, and their lines reach back to `step`.
+std::size_t distinctAncestors(const std::vector<AncestorPtr>& leaves, std::size_t step);
 
 /// How often the line of `leaf` passed within radius_m of its last pose before the present visit:
 /// separate runs of nodes inside the circle, the one that `leaf` is in not counted.

@@ -21,8 +21,10 @@ struct Particle {
   mrpt::math::TPose2D map_from_robot;
   grid::OccupancyGrid map;
   AncestorPtr ancestor;
-  double accumulated = 0;  ///< a of Eq. (8): sum of log weight increments along the line
   std::shared_ptr<const Checkpoint> checkpoints;  ///< latest first
+
+  /// a of Eq. (8): sum of log weight increments along the line.
+  double accumulated() const { return ancestor ? ancestor->accumulated() : 0; }
 };
 
 }  // namespace ariadne::filter

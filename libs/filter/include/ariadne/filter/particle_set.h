@@ -45,6 +45,13 @@ class ParticleSet
   /// Normalised weights, summing to 1.
   std::vector<double> weights() const;
 
+  /// Index, before the resampling of the last update, of each particle's parent; its own where
+  /// there was none.
+  const std::vector<std::size_t>& parents() const { return parents_; }
+  /// Puts other hypotheses in the place of these, as recovery does.
+  /// @param weights one a particle, sum 1
+  void replace(std::vector<Particle> particles, const std::vector<double>& weights);
+
   /// Number of the update that runs next; keys the random streams.
   std::size_t step() const { return step_; }
   /// Inserts the scan of the last update into every particle's map (children of one parent share
@@ -92,6 +99,7 @@ class ParticleSet
   Figures figures_;
   std::vector<mrpt::math::TPoint2D> points_;  // of the update in progress, robot's frame
   grid::ScanShape shape_;
+  std::vector<std::size_t> parents_;
   std::vector<std::size_t> twin_;  // lowest index with the same parent in this update
 };
 

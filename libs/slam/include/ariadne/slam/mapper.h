@@ -10,6 +10,7 @@
 #include "ariadne/filter/particle_set.h"
 #include "ariadne/models/sensor_step.h"
 #include "ariadne/models/stamped_pose.h"
+#include "ariadne/slam/closing_record.h"
 #include "ariadne/slam/params.h"
 #include "ariadne/slam/step_report.h"
 
@@ -18,7 +19,8 @@ namespace ariadne::slam {
 /// Wall-clock seconds by stage, summed over all updates.
 struct StageTimes {
   double predict_s = 0;  ///< motion model, scan match, proposal, weight, resampling
-  double insert_s = 0;  ///< scans into maps, checkpoints
+  double insert_s = 0;   ///< scans into maps, checkpoints
+  double loops_s = 0;    ///< graphs of places, detection, saving, recovery
 };
 
 class Mapper {
@@ -47,6 +49,10 @@ class Mapper {
   const filter::ParticleSet& particles() const;
   /// The path of any hypothesis, as path().
   models::Trajectory pathOf(std::size_t particle) const;
+  /// G of every hypothesis; empty where loop closing is not enabled.
+  const std::vector<topology::PlaceGraph>& graphs() const;
+  /// All closings so far.
+  std::vector<ClosingRecord> closings() const;
   StageTimes times() const;
   std::size_t updates() const;
 

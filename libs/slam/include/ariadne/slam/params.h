@@ -1,9 +1,11 @@
 // All parameters of a mapping run; each struct is a section of the INI.
 #pragma once
+#include "ariadne/closing/params.h"
 #include "ariadne/core/fields.h"
 #include "ariadne/filter/params.h"
 #include "ariadne/grid/params.h"
 #include "ariadne/models/params.h"
+#include "ariadne/recovery/params.h"
 
 namespace ariadne::slam {
 
@@ -30,6 +32,8 @@ struct SlamParams {
   grid::LikelihoodParams likelihood;
   models::MotionParams motion;
   models::MatcherParams matcher;
+  closing::ClosingParams loop_closing;
+  recovery::RecoveryParams recovery;
 };
 
 /// Calls f(section name, parameter struct) for each section.
@@ -41,6 +45,8 @@ void forEachSection(Params& params, F&& f) {
   f("likelihood", params.likelihood);
   f("motion", params.motion);
   f("matcher", params.matcher);
+  f("loop_closing", params.loop_closing);
+  f("recovery", params.recovery);
 }
 
 }  // namespace ariadne::slam

@@ -1,0 +1,61 @@
+// Parameters of closing a loop.
+#pragma once
+#include "ariadne/core/fields.h"
+#include "ariadne/topology/params.h"
+
+namespace ariadne::closing {
+
+/// When a closing ends, besides when the robot leaves what it knew.
+enum class Stop { leaving, neff, neff_slope, uncertainty, path_end, laps, never };
+
+struct ClosingParams {
+  bool enabled = true;
+  topology::PlaceParams places;
+  topology::OpportunityParams opportunity;
+  double approach_limit_m = 30;
+  double leave_after_m = 4;
+  double cooldown_m = 5;
+  Stop stop = Stop::leaving;
+  double arm_distance_m = 5;
+  double neff_window_m = 10;
+  double neff_change = 0.1;
+  double neff_slope_per_m = 0.01;
+  int laps = 1;
+};
+
+template <class V>
+void visitFields(V& v, ClosingParams& p) {
+  v.flag("enabled", p.enabled, "watch for loops, and recover diversity after closing one");
+  visitFields(v, p.places);
+  visitFields(v, p.opportunity);
+  v.number("approach_limit_m", p.approach_limit_m, {0.1, 100000},
+           "an opportunity is given up when the robot has not come to its entry after so far");
+  v.number("leave_after_m", p.leave_after_m, {0.1, 1000},
+           "the closing ends when the robot has been to no place of before for so far");
+  v.number("cooldown_m", p.cooldown_m, {0, 10000}, "no loop is looked for so far after a closing");
+  v.choice(
+      "stop", p.stop,
+      core::Choices<Stop>{{"leaving", Stop::leaving},
+                          {"neff", Stop::neff},
+                          {"neff_slope", Stop::neff_slope},
+                          {"uncertainty", Stop::uncertainty},
+                          {"path_end", Stop::path_end},
+                          {"laps", Stop::laps},
+                          {"never", Stop::never}},
+      "what else ends a closing: nothing; Neff constant (the paper's); no fall of Neff between "
+      "resamplings; the pose as certain as at the entry [19]; the loop's length driven; so many "
+      "laps; never does not end it on leaving either");
+  v.number("arm_distance_m", p.arm_distance_m, {0, 100000},
+           "the rules on Neff and uncertainty wait so far after the entry");
+  v.number("neff_window_m", p.neff_window_m, {0.1, 100000}, "Neff is judged over so far");
+  v.number("neff_change", p.neff_change, {0, 1},
+           "Neff is constant when it changes by less than this share of N over the window");
+  v.number("neff_slope_per_m", p.neff_slope_per_m, {0, 100},
+           "ln Neff is flat when it falls by less a metre, resamplings apart");
+  v.number("laps", p.laps, {1, 100000}, "of the loop, for stop = laps");
+}
+
+/// Throws core::UsageError naming the key, also when c1_m >= c2_m.
+void validate(const ClosingParams& params, const std::string& section);
+
+}  // namespace ariadne::closing

@@ -1,0 +1,43 @@
+// dist_m: lengths of shortest paths for a round robot through cells known to be free.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "ariadne/grid/occupancy_grid.h"
+
+namespace ariadne::grid {
+
+/// One search from a point, on the eight neighbours of a cell (a path's length is at most 8 % over
+/// the straight line's). Unknown cells block as walls do.
+class FreeDistance {
+ public:
+  /// @param from m, map frame
+  /// @param limit_m paths longer than this are not followed
+  /// @param robot_radius_m cells whose centre is this near to the centre of one that is not free
+  /// are not entered; but the robot may leave the disc of that radius in which it stands already
+  FreeDistance(const OccupancyGrid& map, const mrpt::math::TPoint2D& from, double limit_m,
+               double robot_radius_m);
+
+  /// Length of the shortest path to the centre of the cell of `to`, m; nothing when there is none
+  /// within the limit.
+  std::optional<double> to(const mrpt::math::TPoint2D& to) const;
+  /// As to(), for a place where a robot has been: in its own map it may stand a little too near to
+  /// a wall, so that the way to the best cell within the robot's radius and on to it counts.
+  std::optional<double> toPlace(const mrpt::math::TPoint2D& to) const;
+
+ private:
+  int index(Cell c) const;
+  void search(int start);
+
+  OccupancyGrid map_;
+  double resolution_;
+  double robot_radius_m_;
+  Cell corner_;
+  int side_;
+  std::vector<std::uint8_t> open_;   // cells that may be entered
+  std::vector<std::int32_t> units_;  // path lengths, in 1/kUnits of a cell; -1 unknown
+  std::int32_t limit_units_;
+};
+
+}  // namespace ariadne::grid

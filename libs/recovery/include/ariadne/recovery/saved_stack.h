@@ -1,0 +1,40 @@
+// Saved sets of the loops that are being closed at once, section V: nested loops of a robot that
+// somebody else drives need more than one.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "ariadne/recovery/saved_set.h"
+
+namespace ariadne::recovery {
+
+class SavedStack {
+ public:
+  explicit SavedStack(double budget_mb) : budget_mb_(budget_mb) {}
+
+  /// Lays a set on top, under a name of the caller's. Returns the names of the sets that were
+  /// dropped to stay within the budget, oldest first; the new one is among them when it alone is
+  /// too big.
+  std::vector<std::size_t> push(std::size_t name, SavedSet set);
+  /// Takes a set out and drops what lies above it; nothing when it is not there (any more).
+  std::optional<SavedSet> pop(std::size_t name);
+  /// Takes one set out and leaves the others.
+  void drop(std::size_t name);
+
+  bool holds(std::size_t name) const;
+  std::size_t size() const { return sets_.size(); }
+  /// Memory of all maps held, tiles counted once, MB.
+  double megabytes() const;
+
+ private:
+  struct Named {
+    std::size_t name;
+    SavedSet set;
+  };
+  std::vector<Named>::iterator find(std::size_t name);
+
+  double budget_mb_;
+  std::vector<Named> sets_;
+};
+
+}  // namespace ariadne::recovery

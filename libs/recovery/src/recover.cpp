@@ -1,0 +1,63 @@
+#include "ariadne/recovery/recover.h"
+
+#include <map>
+
+#include "attach.h"
+#include "draw.h"
+
+namespace ariadne::recovery {
+namespace {
+
+/// Entries of one ancestor that got one way are one hypothesis: its map is made once.
+std::vector<std::size_t> twinsOf(const SavedSet& saved, const std::vector<std::size_t>& sources) {
+  std::map<std::pair<const filter::Ancestor*, std::size_t>, std::size_t> first;
+  std::vector<std::size_t> twins;
+  for (std::size_t e = 0; e < sources.size(); ++e)
+    twins.push_back(first.try_emplace({saved.entries[e].at_te.get(), sources[e]}, e).first->second);
+  return twins;
+}
+
+std::vector<mrpt::math::TPoint2D> positionsAfter(const filter::AncestorPtr& leaf, std::size_t te) {
+  std::vector<mrpt::math::TPoint2D> positions;
+  filter::forEachAncestor(leaf, [&](const filter::Ancestor& a) {
+    if (a.step() <= te) return false;
+    positions.emplace_back(a.pose().x, a.pose().y);
+    return true;
+  });
+  return {positions.rbegin(), positions.rend()};
+}
+
+}  // namespace
+
+RecoveredSet recover(const SavedSet& saved, const filter::ParticleSet& present,
+                     const std::vector<topology::PlaceGraph>& graphs, const RecoveryInputs& inputs,
+                     Draw draw) {
+  const std::size_t n = saved.entries.size();
+  RecoveredSet out;
+  out.sources = drawSources(saved, present, draw, inputs.seed);
+  const std::vector<std::size_t> twins = twinsOf(saved, out.sources);
+  out.particles.resize(n);
+  out.graphs.resize(n);
+  out.contradiction.resize(n);
+  inputs.parallel.forEach(n, [&](std::size_t e) {
+    if (twins[e] != e) return;
+    const SavedEntry& entry = saved.entries[e];
+    const std::size_t source = out.sources[e];
+    const Segment segment = segmentOf(present[source].ancestor, saved.te);
+    const grid::OccupancyGrid map = mapAtTe(entry, inputs.shapes);
+    out.particles[e] = attach(entry, map, segment, inputs.shapes, inputs.checkpoint_updates);
+    out.contradiction[e] = contradiction(map, out.particles[e].ancestor, saved.te, inputs.shapes);
+    out.graphs[e] = entry.graph;
+    out.graphs[e].attach(graphs[source], positionsAfter(out.particles[e].ancestor, saved.te));
+  });
+  for (std::size_t e = 0; e < n; ++e) {
+    out.weights.push_back(saved.entries[e].weight);
+    if (twins[e] == e) continue;
+    out.particles[e] = out.particles[twins[e]];
+    out.graphs[e] = out.graphs[twins[e]];
+    out.contradiction[e] = out.contradiction[twins[e]];
+  }
+  return out;
+}
+
+}  // namespace ariadne::recovery

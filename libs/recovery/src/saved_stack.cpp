@@ -1,0 +1,45 @@
+#include "ariadne/recovery/saved_stack.h"
+
+#include <algorithm>
+
+namespace ariadne::recovery {
+
+std::vector<SavedStack::Named>::iterator SavedStack::find(std::size_t name) {
+  return std::find_if(sets_.begin(), sets_.end(), [&](const Named& n) { return n.name == name; });
+}
+
+std::vector<std::size_t> SavedStack::push(std::size_t name, SavedSet set) {
+  sets_.push_back({name, std::move(set)});
+  std::vector<std::size_t> dropped;
+  while (!sets_.empty() && megabytes() > budget_mb_) {
+    dropped.push_back(sets_.front().name);
+    sets_.erase(sets_.begin());
+  }
+  return dropped;
+}
+
+std::optional<SavedSet> SavedStack::pop(std::size_t name) {
+  const auto it = find(name);
+  if (it == sets_.end()) return std::nullopt;
+  SavedSet set = std::move(it->set);
+  sets_.erase(it, sets_.end());
+  return set;
+}
+
+void SavedStack::drop(std::size_t name) {
+  const auto it = find(name);
+  if (it != sets_.end()) sets_.erase(it);
+}
+
+bool SavedStack::holds(std::size_t name) const {
+  return std::any_of(sets_.begin(), sets_.end(), [&](const Named& n) { return n.name == name; });
+}
+
+double SavedStack::megabytes() const {
+  SavedSet all;
+  for (const Named& n : sets_)
+    all.entries.insert(all.entries.end(), n.set.entries.begin(), n.set.entries.end());
+  return static_cast<double>(all.mapBytes()) / 1e6;
+}
+
+}  // namespace ariadne::recovery

@@ -1,0 +1,65 @@
+// Sections IV and V on a robot that is driven by somebody else: extends the graph of places of
+// every particle, watches for loops, saves the set as of the entry and recovers it afterwards.
+#pragma once
+#include <mrpt/obs/CObservation2DRangeScan.h>
+
+#include <vector>
+
+#include "ariadne/closing/loop_watcher.h"
+#include "ariadne/core/parallel.h"
+#include "ariadne/filter/particle_set.h"
+#include "ariadne/recovery/saved_stack.h"
+#include "ariadne/slam/closing_record.h"
+#include "ariadne/slam/params.h"
+#include "ariadne/slam/step_report.h"
+
+namespace ariadne::slam {
+
+class LoopCloser {
+ public:
+  /// Throws core::UsageError when a parameter is out of bounds. `parallel` must outlive it.
+  LoopCloser(const SlamParams& params, const core::Parallel& parallel);
+
+  /// To be called after each filter update, its scan inserted. May replace the particles; fills
+  /// what the report says about loops.
+  /// @param scans of all updates so far
+  void update(filter::ParticleSet& particles,
+              const std::vector<mrpt::obs::CObservation2DRangeScan::Ptr>& scans,
+              StepReport& report);
+
+  /// G of every particle.
+  const std::vector<topology::PlaceGraph>& graphs() const { return graphs_; }
+  /// All closings so far, open ones too.
+  std::vector<ClosingRecord> records() const;
+  /// From now on closings end with recovery or without.
+  void enableRecovery(bool enabled) { params_.recovery.enabled = enabled; }
+
+ private:
+  void extendGraphs(const filter::ParticleSet& particles);
+  closing::ClosingStep figuresOf(const filter::ParticleSet& particles, const StepReport& report);
+  void save(std::size_t name, const filter::ParticleSet& particles);
+  void recover(std::size_t name, filter::ParticleSet& particles,
+               const std::vector<mrpt::obs::CObservation2DRangeScan::Ptr>& scans);
+  std::size_t lookBack(std::size_t step) const;
+
+  struct PastSet {
+    WeightedPoses particles;
+    std::size_t distinct = 0;
+  };
+  struct Extra {
+    std::optional<SavingRecord> saving;
+    std::optional<RecoveryRecord> recovery;
+    std::string note;
+  };
+
+  SlamParams params_;
+  const core::Parallel& parallel_;
+  closing::LoopWatcher watcher_;
+  recovery::SavedStack stack_;
+  std::vector<topology::PlaceGraph> graphs_;
+  std::vector<PastSet> past_;        // by update
+  std::vector<double> travelled_m_;  // by update
+  std::vector<Extra> extras_;        // by closing
+};
+
+}  // namespace ariadne::slam

@@ -1,0 +1,192 @@
+#include "ariadne/slam/loop_closer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <set>
+
+#include "ariadne/recovery/recover.h"
+
+namespace ariadne::slam {
+namespace {
+
+using Scans = std::vector<mrpt::obs::CObservation2DRangeScan::Ptr>;
+
+std::vector<filter::AncestorPtr> leavesOf(const filter::ParticleSet& particles) {
+  std::vector<filter::AncestorPtr> leaves;
+  for (std::size_t i = 0; i < particles.size(); ++i) leaves.push_back(particles[i].ancestor);
+  return leaves;
+}
+
+WeightedPoses posesOf(const filter::ParticleSet& particles) {
+  WeightedPoses set;
+  set.weights = particles.weights();
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    set.poses.push_back(particles[i].map_from_robot);
+  return set;
+}
+
+WeightedPoses posesOf(const recovery::SavedSet& saved) {
+  WeightedPoses set;
+  for (const recovery::SavedEntry& e : saved.entries) {
+    set.poses.push_back(e.at_te->pose());
+    set.weights.push_back(e.weight);
+  }
+  return set;
+}
+
+/// Root of the trace of the weighted covariance of the positions, m.
+double spreadOf(const WeightedPoses& set) {
+  double x = 0;
+  double y = 0;
+  for (std::size_t i = 0; i < set.poses.size(); ++i) {
+    x += set.weights[i] * set.poses[i].x;
+    y += set.weights[i] * set.poses[i].y;
+  }
+  double sum = 0;
+  for (std::size_t i = 0; i < set.poses.size(); ++i)
+    sum += set.weights[i] * (std::pow(set.poses[i].x - x, 2) + std::pow(set.poses[i].y - y, 2));
+  return std::sqrt(sum);
+}
+
+/// Shapes of the scans after update `from`; empty ones before, which nobody needs.
+std::vector<grid::ScanShape> shapesAfter(const Scans& scans, std::size_t from,
+                                         const grid::GridParams& params,
+                                         const core::Parallel& parallel) {
+  std::vector<grid::ScanShape> shapes(scans.size());
+  parallel.forEach(scans.size() - from, [&](std::size_t i) {
+    shapes[from + i] = grid::makeScanShape(*scans[from + i], params);
+  });
+  return shapes;
+}
+
+std::size_t earliestCheckpoint(const recovery::SavedSet& saved) {
+  std::size_t earliest = saved.te;
+  for (const recovery::SavedEntry& e : saved.entries)
+    earliest = std::min(earliest, e.checkpoint->step);
+  return earliest;
+}
+
+}  // namespace
+
+LoopCloser::LoopCloser(const SlamParams& params, const core::Parallel& parallel)
+    : params_(params),
+      parallel_(parallel),
+      watcher_(params.loop_closing),
+      stack_(params.recovery.memory_budget_mb) {}
+
+void LoopCloser::extendGraphs(const filter::ParticleSet& particles) {
+  std::vector<topology::PlaceGraph> next(particles.size());
+  if (!graphs_.empty())
+    for (std::size_t i = 0; i < next.size(); ++i) next[i] = graphs_[particles.parents()[i]];
+  graphs_ = std::move(next);
+  parallel_.forEach(particles.size(), [&](std::size_t i) {
+    const filter::Particle& p = particles[i];
+    graphs_[i].extend({p.map_from_robot.x, p.map_from_robot.y}, p.map, params_.loop_closing.places);
+  });
+}
+
+closing::ClosingStep LoopCloser::figuresOf(const filter::ParticleSet& particles,
+                                           const StepReport& report) {
+  const filter::Ancestor& here = *particles[report.best].ancestor;
+  double travelled = travelled_m_.empty() ? 0 : travelled_m_.back();
+  if (const auto& before = here.parent())
+    travelled += std::hypot(here.pose().x - before->pose().x, here.pose().y - before->pose().y);
+  travelled_m_.push_back(travelled);
+  past_.push_back(
+      {posesOf(particles), filter::distinctAncestors(leavesOf(particles), report.step)});
+  return {travelled, report.neff, static_cast<double>(report.particles), report.resampled,
+          spreadOf(past_.back().particles)};
+}
+
+void LoopCloser::update(filter::ParticleSet& particles, const Scans& scans, StepReport& report) {
+  if (!params_.loop_closing.enabled) return;
+  extendGraphs(particles);
+  const closing::ClosingStep figures = figuresOf(particles, report);
+  const auto events = watcher_.observe({graphs_[report.best], particles[report.best].map, figures});
+  report.loop_state = watcher_.state();
+  if (const auto& opportunity = watcher_.opportunity()) {
+    report.opportunities = opportunity->places;
+    report.dist_m = opportunity->dist_m_m;
+    report.dist_g = opportunity->dist_g_m;
+  }
+  report.unique_ancestors = filter::distinctAncestors(leavesOf(particles), lookBack(report.step));
+
+  if (events.detected) save(*events.detected, particles);
+  for (const std::size_t name : events.given_up) stack_.drop(name);
+  if (events.entered) {
+    const std::size_t te = watcher_.closings()[*events.entered].opportunity.te;
+    for (auto& graph : graphs_) graph.close(graph.visits()[te].place);
+  }
+  if (events.ended) recover(*events.ended, particles, scans);
+}
+
+/// Update at which unique ancestors are counted: te of the open closing, else one c2 of way back.
+std::size_t LoopCloser::lookBack(std::size_t step) const {
+  if (const closing::Closing* open = watcher_.open()) return open->opportunity.te;
+  const double from = travelled_m_.back() - params_.loop_closing.opportunity.c2_m;
+  std::size_t i = step;
+  while (i > 0 && travelled_m_[i] > from) --i;
+  return i;
+}
+
+void LoopCloser::save(std::size_t name, const filter::ParticleSet& particles) {
+  extras_.resize(watcher_.closings().size());
+  const std::size_t te = watcher_.closings()[name].opportunity.te;
+  recovery::SavedSet set = recovery::save(particles, graphs_, te);
+  SavingRecord record;
+  record.entries = set.entries.size();
+  record.distinct_ancestors = set.distinctAncestors();
+  record.existed = past_[te].distinct;
+  record.at_te = past_[te].particles;
+  record.saved = posesOf(set);
+  record.memory_mb = static_cast<double>(set.mapBytes()) / 1e6;
+  extras_[name].saving = std::move(record);
+  for (const std::size_t dropped : stack_.push(name, std::move(set)))
+    extras_[dropped].note = fmt::format(
+        "the saved set was dropped: saved sets took more than recovery.memory_budget_mb = {}",
+        params_.recovery.memory_budget_mb);
+}
+
+void LoopCloser::recover(std::size_t name, filter::ParticleSet& particles, const Scans& scans) {
+  auto saved = stack_.pop(name);
+  Extra& extra = extras_[name];
+  if (!saved) return;
+  if (!params_.recovery.enabled) {
+    extra.note = "recovery.enabled = false";
+    return;
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const auto shapes = shapesAfter(scans, earliestCheckpoint(*saved), params_.grid, parallel_);
+  recovery::RecoveredSet set =
+      recovery::recover(*saved, particles, graphs_,
+                        {shapes, static_cast<std::size_t>(params_.update.checkpoint_updates),
+                         params_.filter.seed, parallel_},
+                        params_.recovery.draw);
+  RecoveryRecord record;
+  record.update = particles.step() - 1;
+  record.before = leavesOf(particles);
+  record.distinct_before = filter::distinctAncestors(record.before, saved->te);
+  record.distinct_sources = std::set<std::size_t>(set.sources.begin(), set.sources.end()).size();
+  record.contradiction = std::move(set.contradiction);
+  particles.replace(std::move(set.particles), set.weights);
+  graphs_ = std::move(set.graphs);
+  record.distinct_after = filter::distinctAncestors(leavesOf(particles), saved->te);
+  record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  extra.recovery = std::move(record);
+}
+
+std::vector<ClosingRecord> LoopCloser::records() const {
+  std::vector<ClosingRecord> records;
+  for (const closing::Closing& c : watcher_.closings()) {
+    const Extra& extra = extras_[c.name];
+    records.push_back({c, extra.saving, extra.recovery, extra.note});
+    if (records.back().note.empty() && !c.ended)
+      records.back().note = "still open at the end of the log: nothing was recovered";
+  }
+  return records;
+}
+
+}  // namespace ariadne::slam

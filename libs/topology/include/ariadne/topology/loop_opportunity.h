@@ -1,0 +1,32 @@
+// The set of places of interest I(s), Eq. (7), and the entry point x_te, Eq. (9).
+#pragma once
+#include <mrpt/math/TPoint2D.h>
+
+#include <functional>
+#include <optional>
+
+#include "ariadne/grid/occupancy_grid.h"
+#include "ariadne/topology/place_graph.h"
+
+namespace ariadne::topology {
+
+/// A place to which a loop can be closed: near by the map, far by the graph.
+struct LoopOpportunity {
+  std::size_t places = 0;   ///< |I(s)|
+  std::uint32_t entry = 0;  ///< x_te: the place of I(s) nearest by the map
+  std::size_t te = 0;       ///< last filter update at which the robot was there
+  double dist_m_m = 0;      ///< dist_m to the entry, m
+  double dist_g_m = 0;      ///< dist_G to the entry, m
+};
+
+/// Nothing when I(s) is empty. Searches the map only when a place is near as the crow flies and
+/// far by the graph.
+/// @param position of the robot, m, map frame
+/// @param counts whether a place may be in I(s); the caller's hysteresis
+std::optional<LoopOpportunity> findOpportunity(const PlaceGraph& graph,
+                                               const grid::OccupancyGrid& map,
+                                               const mrpt::math::TPoint2D& position,
+                                               const OpportunityParams& params,
+                                               const std::function<bool(const Place&)>& counts);
+
+}  // namespace ariadne::topology

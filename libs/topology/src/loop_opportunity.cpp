@@ -1,0 +1,52 @@
+#include "ariadne/topology/loop_opportunity.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "ariadne/core/error.h"
+#include "ariadne/grid/free_distance.h"
+
+namespace ariadne::topology {
+
+void validate(const OpportunityParams& params, const std::string& section) {
+  core::validateFields(params, section);
+  if (params.c1_m >= params.c2_m)
+    throw core::UsageError(
+        fmt::format("[{}] c1_m = {} is not less than c2_m = {}: a loop is near by the map and far "
+                    "by the graph (Eq. (7))",
+                    section, params.c1_m, params.c2_m));
+}
+
+std::optional<LoopOpportunity> findOpportunity(const PlaceGraph& graph,
+                                               const grid::OccupancyGrid& map,
+                                               const mrpt::math::TPoint2D& position,
+                                               const OpportunityParams& params,
+                                               const std::function<bool(const Place&)>& counts) {
+  const std::vector<double> dist_g = graph.distances();
+  std::vector<std::uint32_t> candidates;
+  for (std::uint32_t i = 0; i < graph.places().size(); ++i) {
+    const Place& place = graph.places()[i];
+    // The straight line is a lower bound of dist_m.
+    const double line = std::hypot(place.position.x - position.x, place.position.y - position.y);
+    if (dist_g[i] > params.c2_m && line < params.c1_m && counts(place)) candidates.push_back(i);
+  }
+  if (candidates.empty()) return std::nullopt;
+
+  const grid::FreeDistance dist_m(map, position, params.c1_m, params.robot_radius_m);
+  LoopOpportunity found;
+  for (const std::uint32_t i : candidates) {
+    const auto length = dist_m.toPlace(graph.places()[i].position);
+    if (!length || *length >= params.c1_m) continue;
+    if (found.places++ == 0 || *length < found.dist_m_m) {
+      found.entry = i;
+      found.dist_m_m = *length;
+    }
+  }
+  if (found.places == 0) return std::nullopt;
+  found.te = graph.lastVisit(found.entry);
+  found.dist_g_m = dist_g[found.entry];
+  return found;
+}
+
+}  // namespace ariadne::topology
