@@ -99,7 +99,8 @@ void LoopWatcher::approach(const WatchedStep& step, LoopEvents& events) {
 
 std::string LoopWatcher::reasonToEnd(Closing& closing, const WatchedStep& step) const {
   const topology::Visit& here = step.graph.visits().back();
-  if (here.inside && step.graph.places()[here.place].step < closing.detected)
+  // Places made on the last metres of the way to the entry belong to the loop.
+  if (here.inside && step.graph.places()[here.place].step <= *closing.entered)
     closing.last_known_m = step.figures.travelled_m;
   closing.course.steps.push_back(step.figures);
   const double driven = closing.course.driven_m();
