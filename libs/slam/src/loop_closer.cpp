@@ -101,8 +101,9 @@ closing::ClosingStep LoopCloser::figuresOf(const filter::ParticleSet& particles,
           spreadOf(past_.back().particles)};
 }
 
-void LoopCloser::update(filter::ParticleSet& particles, const Scans& scans, StepReport& report) {
-  if (!params_.loop_closing.enabled) return;
+std::optional<std::size_t> LoopCloser::update(const filter::ParticleSet& particles,
+                                              StepReport& report) {
+  if (!params_.loop_closing.enabled) return std::nullopt;
   extendGraphs(particles);
   const closing::ClosingStep figures = figuresOf(particles, report);
   const auto events = watcher_.observe({graphs_[report.best], particles[report.best].map, figures});
@@ -120,7 +121,7 @@ void LoopCloser::update(filter::ParticleSet& particles, const Scans& scans, Step
     const std::size_t te = watcher_.closings()[*events.entered].opportunity.te;
     for (auto& graph : graphs_) graph.close(graph.visits()[te].place);
   }
-  if (events.ended) recover(*events.ended, particles, scans);
+  return events.ended;
 }
 
 /// Update at which unique ancestors are counted: te of the open closing, else one c2 of way back.
@@ -155,7 +156,7 @@ void LoopCloser::recover(std::size_t name, filter::ParticleSet& particles, const
   Extra& extra = extras_[name];
   if (!saved) return;
   if (!params_.recovery.enabled) {
-    extra.note = "recovery.enabled = false";
+    extra.note = "recovery is off";
     return;
   }
   const auto start = std::chrono::steady_clock::now();

@@ -11,6 +11,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <functional>
 
 #include "ariadne/core/parallel.h"
 #include "ariadne/core/random.h"
@@ -78,9 +79,9 @@ grid::OccupancyGrid gridOf(const mrpt::maps::CSimpleMap& known, const grid::Grid
 struct Mapper::Impl {
   Impl(const SlamParams& p, int threads, const mrpt::maps::CSimpleMap& known, const TPose2D& start)
       : params(validated(p)),
-        parallel(threads),
-        particles(modelsOf(params), parallel, start, gridOf(known, params.grid)),
-        loops(params, parallel) {
+        parallel(std::make_shared<core::Parallel>(threads)),
+        particles(modelsOf(params), *parallel, start, gridOf(known, params.grid)),
+        loops(params, *parallel) {
     particle_filter.m_options = filter::particleFilterOptions(params.filter);
   }
 
@@ -95,7 +96,7 @@ struct Mapper::Impl {
   StepReport update(const models::SensorStep& step);
 
   SlamParams params;
-  core::Parallel parallel;
+  std::shared_ptr<core::Parallel> parallel;  // forks work on the same threads
   filter::ParticleSet particles;
   LoopCloser loops;
   mrpt::bayes::CParticleFilter particle_filter;
@@ -103,6 +104,7 @@ struct Mapper::Impl {
   std::vector<OdometryRecord> records;
   std::vector<mrpt::obs::CObservation2DRangeScan::Ptr> scans;  // one an update
   StageTimes times;
+  std::function<void()> before_recovery;
 };
 
 StepReport Mapper::Impl::update(const models::SensorStep& step) {
@@ -136,7 +138,10 @@ StepReport Mapper::Impl::update(const models::SensorStep& step) {
   report.best = particles.best();
   {
     Stopwatch watch(times.loops_s);
-    loops.update(particles, scans, report);
+    if (const auto ended = loops.update(particles, report)) {
+      if (before_recovery) before_recovery();
+      loops.recover(*ended, particles, scans);
+    }
   }
   report.best = particles.best();  // recovery may have brought another
   report.map_from_robot = particles[report.best].map_from_robot;
@@ -147,14 +152,26 @@ Mapper::Mapper(const SlamParams& params, int threads) : Mapper(params, threads, 
 Mapper::Mapper(const SlamParams& params, int threads, const mrpt::maps::CSimpleMap& known,
                const TPose2D& start)
     : impl_(std::make_unique<Impl>(params, threads, known, start)) {}
+Mapper::Mapper(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Mapper::~Mapper() = default;
 
 std::optional<StepReport> Mapper::process(const models::SensorStep& step) {
   const bool due = impl_->due(step);
-  std::optional<StepReport> report;
-  if (due) report = impl_->update(step);
-  impl_->records.push_back({step.time_s, step.odom_from_robot, impl_->scans.size(), due});
-  return report;
+  impl_->records.push_back(
+      {step.time_s, step.odom_from_robot, impl_->scans.size() + (due ? 1 : 0), due});
+  if (!due) return std::nullopt;
+  return impl_->update(step);
+}
+
+std::unique_ptr<Mapper> Mapper::forkWithoutRecovery() const {
+  std::unique_ptr<Mapper> other(new Mapper(std::make_unique<Impl>(*impl_)));
+  other->impl_->before_recovery = nullptr;
+  other->impl_->loops.disableRecovery();
+  return other;
+}
+
+void Mapper::onRecovery(std::function<void()> before) {
+  impl_->before_recovery = std::move(before);
 }
 
 mrpt::maps::COccupancyGridMap2D Mapper::map() const {

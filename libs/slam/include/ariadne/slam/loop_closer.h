@@ -20,26 +20,26 @@ class LoopCloser {
   /// Throws core::UsageError when a parameter is out of bounds. `parallel` must outlive it.
   LoopCloser(const SlamParams& params, const core::Parallel& parallel);
 
-  /// To be called after each filter update, its scan inserted. May replace the particles; fills
-  /// what the report says about loops.
+  /// To be called after each filter update, its scan inserted. Fills what the report says about
+  /// loops. Returns the closing that ended, from which recover() is to be called.
+  std::optional<std::size_t> update(const filter::ParticleSet& particles, StepReport& report);
+  /// Replaces the particles by those saved for the closing, propagated through the loop; leaves
+  /// them where none were saved or recovery is off.
   /// @param scans of all updates so far
-  void update(filter::ParticleSet& particles,
-              const std::vector<mrpt::obs::CObservation2DRangeScan::Ptr>& scans,
-              StepReport& report);
+  void recover(std::size_t closing, filter::ParticleSet& particles,
+               const std::vector<mrpt::obs::CObservation2DRangeScan::Ptr>& scans);
 
   /// G of every particle.
   const std::vector<topology::PlaceGraph>& graphs() const { return graphs_; }
   /// All closings so far, open ones too.
   std::vector<ClosingRecord> records() const;
-  /// From now on closings end with recovery or without.
-  void enableRecovery(bool enabled) { params_.recovery.enabled = enabled; }
+  /// From now on closings end without recovery.
+  void disableRecovery() { params_.recovery.enabled = false; }
 
  private:
   void extendGraphs(const filter::ParticleSet& particles);
   closing::ClosingStep figuresOf(const filter::ParticleSet& particles, const StepReport& report);
   void save(std::size_t name, const filter::ParticleSet& particles);
-  void recover(std::size_t name, filter::ParticleSet& particles,
-               const std::vector<mrpt::obs::CObservation2DRangeScan::Ptr>& scans);
   std::size_t lookBack(std::size_t step) const;
 
   struct PastSet {

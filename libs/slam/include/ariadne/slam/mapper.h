@@ -4,6 +4,7 @@
 #include <mrpt/maps/COccupancyGridMap2D.h>
 #include <mrpt/maps/CSimpleMap.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -38,6 +39,13 @@ class Mapper {
   /// when the robot has not moved far enough (the step then only adds to the path).
   std::optional<StepReport> process(const models::SensorStep& step);
 
+  /// `before` is called each time a closing has ended, before recovery (if it is on) replaces the
+  /// particles.
+  void onRecovery(std::function<void()> before);
+  /// A second mapper with the same past, which shares its maps until they are written to, and
+  /// never recovers: the other arm of a paired run.
+  std::unique_ptr<Mapper> forkWithoutRecovery() const;
+
   /// The map of s*, as MRPT's grid.
   mrpt::maps::COccupancyGridMap2D map() const;
   /// The path of s*: one pose (map_from_robot) for every step that was processed; between filter
@@ -58,6 +66,7 @@ class Mapper {
 
  private:
   struct Impl;
+  explicit Mapper(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
 
