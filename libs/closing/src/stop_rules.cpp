@@ -18,8 +18,8 @@ bool coversWindow(const ClosingCourse& course, double window_m) {
   return !course.steps.empty() && course.driven_m() >= window_m;
 }
 
-/// Sum of changes of ln Neff from step `first` on, without the rises that resamplings made, over
-/// the way on which they happened.
+}  // namespace
+
 double slopeOfLogNeff(const std::vector<ClosingStep>& steps, std::size_t first) {
   double change = 0;
   double way = 0;
@@ -33,8 +33,6 @@ double slopeOfLogNeff(const std::vector<ClosingStep>& steps, std::size_t first) 
   }
   return way > 0 ? change / way : 0;
 }
-
-}  // namespace
 
 StopRule neffConstantFor(double window_m, double change) {
   return [=](const ClosingCourse& c) {

@@ -169,6 +169,7 @@ void LoopCloser::recover(std::size_t name, filter::ParticleSet& particles, const
   RecoveryRecord record;
   record.update = particles.step() - 1;
   record.before = leavesOf(particles);
+  record.weights_before = particles.weights();
   record.distinct_before = filter::distinctAncestors(record.before, saved->te);
   record.distinct_sources = std::set<std::size_t>(set.sources.begin(), set.sources.end()).size();
   record.contradiction = std::move(set.contradiction);

@@ -29,6 +29,10 @@ struct ClosingCourse {
   }
 };
 
+/// Slope of ln Neff over the way from step `first` on, per metre: the sum of its changes without
+/// the rises that resamplings made.
+double slopeOfLogNeff(const std::vector<ClosingStep>& steps, std::size_t first);
+
 using StopRule = std::function<bool(const ClosingCourse&)>;
 
 /// The paper's: Neff stays constant over the last window_m, to within `change` of N. Resampling

@@ -13,6 +13,7 @@ enum class Purpose : std::uint32_t {
   proposal = 2,
   resampling = 3,
   noise = 4,
+  range_noise = 5,
   recovery = 6,
   test = 99
 };

@@ -9,9 +9,13 @@
 #include <string_view>
 #include <vector>
 
-#include "ariadne/io/ini_names.h"
+#include "ariadne/core/names.h"
 
 namespace ariadne::io {
+
+using core::equalIgnoringCase;
+using core::nearestName;
+using core::printable;
 
 /// `key = value` in a section; `where` is "file:12" or "--set", `value` has no comment.
 struct IniEntry {

@@ -34,6 +34,7 @@ struct RecoveryRecord {
   std::vector<double> contradiction;        ///< of each particle, see recovery::RecoveredSet
   double seconds = 0;                       ///< wall clock
   std::vector<filter::AncestorPtr> before;  ///< the set that was replaced
+  std::vector<double> weights_before;
 };
 
 struct ClosingRecord {

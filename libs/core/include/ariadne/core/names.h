@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ariadne::io {
+namespace ariadne::core {
 
 /// For messages: control bytes as \xNN, cut to a readable length.
 std::string printable(std::string_view text);
@@ -14,4 +14,4 @@ std::string nearestName(std::string_view name, const std::vector<std::string>& k
 
 bool equalIgnoringCase(std::string_view a, std::string_view b);
 
-}  // namespace ariadne::io
+}  // namespace ariadne::core

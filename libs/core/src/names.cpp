@@ -1,11 +1,11 @@
-#include "ariadne/io/ini_names.h"
+#include "ariadne/core/names.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 
-namespace ariadne::io {
+namespace ariadne::core {
 
 bool equalIgnoringCase(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
@@ -52,4 +52,4 @@ std::string nearestName(std::string_view name, const std::vector<std::string>& k
   return best;
 }
 
-}  // namespace ariadne::io
+}  // namespace ariadne::core

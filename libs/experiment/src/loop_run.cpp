@@ -1,0 +1,135 @@
+#include "ariadne/experiment/loop_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ariadne/closing/stop_rules.h"
+#include "ariadne/eval/alignment.h"
+#include "ariadne/eval/errors.h"
+#include "ariadne/eval/kl_divergence.h"
+#include "ariadne/models/motion_model.h"
+#include "ariadne/slam/mapper.h"
+
+namespace ariadne::experiment {
+namespace {
+
+using mrpt::math::TPose2D;
+
+double ateOf(const models::Trajectory& path, const models::Trajectory& truth) {
+  const auto pairs = eval::associate(path, truth, 0);
+  return eval::figuresOf(eval::absoluteErrors(pairs, eval::align(pairs))).rmse;
+}
+
+ArmResult judge(const slam::Mapper& mapper, const models::Trajectory& truth,
+                const eval::CorrectBounds& bounds) {
+  ArmResult arm;
+  const std::vector<double> weights = mapper.particles().weights();
+  const std::size_t best = mapper.particles().best();
+  arm.best_translation_m = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < mapper.particles().size(); ++i) {
+    const models::Trajectory path = mapper.pathOf(i);
+    const eval::LoopErrors errors = eval::loopErrors(path, truth, 0);
+    const bool right = eval::correct(errors, bounds);
+    arm.exists |= right;
+    arm.correct_weight += right ? weights[i] : 0;
+    arm.best_translation_m =
+        std::min(arm.best_translation_m, errors.worst_translation.translation_m);
+    if (i != best) continue;
+    arm.chosen = right;
+    arm.worst_translation_m = errors.worst_translation.translation_m;
+    arm.worst_heading_deg = errors.worst_heading.heading_deg;
+    arm.ate_m = ateOf(path, truth);
+  }
+  return arm;
+}
+
+/// Distance between where the pose is and where it truly was, both seen from the start.
+double errorAt(const TPose2D& pose, const TPose2D& start, const TPose2D& true_from_start) {
+  const TPose2D moved = models::relativePose(start, pose);
+  return std::hypot(moved.x - true_from_start.x, moved.y - true_from_start.y);
+}
+
+double leastError(const std::vector<TPose2D>& poses, const TPose2D& start,
+                  const TPose2D& true_from_start) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const TPose2D& p : poses) least = std::min(least, errorAt(p, start, true_from_start));
+  return least;
+}
+
+eval::WeightedPoses toEval(const slam::WeightedPoses& set) { return {set.poses, set.weights}; }
+
+InnerLoop innerOf(const slam::ClosingRecord& record, const TPose2D& start,
+                  const TPose2D& true_from_start) {
+  const slam::SavingRecord& saving = *record.saving;
+  const slam::RecoveryRecord& recovery = *record.recovery;
+  const std::size_t te = record.closing.opportunity.te;
+  slam::WeightedPoses left;
+  for (const auto& leaf : recovery.before)
+    left.poses.push_back(filter::ancestorAt(leaf, te)->pose());
+  left.weights = recovery.weights_before;
+
+  InnerLoop inner;
+  inner.existed_error_m = leastError(saving.at_te.poses, start, true_from_start);
+  inner.saved_error_m = leastError(saving.saved.poses, start, true_from_start);
+  inner.left_error_m = leastError(left.poses, start, true_from_start);
+  inner.survivors = static_cast<double>(saving.distinct_ancestors) /
+                    static_cast<double>(std::max<std::size_t>(saving.existed, 1));
+  inner.distinct_left = recovery.distinct_before;
+  inner.distinct_saved = recovery.distinct_after;
+  const eval::Divergence saved = eval::divergence(toEval(saving.at_te), toEval(saving.saved));
+  inner.kl_saved_nats = saved.kl_nats;
+  inner.lost_mass = saved.lost_mass;
+  inner.kl_left_nats = eval::divergence(toEval(saving.at_te), toEval(left)).kl_nats;
+  const auto& steps = record.closing.course.steps;
+  inner.neff_slope_per_m = closing::slopeOfLogNeff(steps, 0);
+  inner.resamplings = static_cast<double>(
+      std::count_if(steps.begin(), steps.end(), [](const auto& s) { return s.resampled; }));
+  inner.recovery_s = recovery.seconds;
+  return inner;
+}
+
+/// The inner loop is the first one that was recovered.
+std::optional<InnerLoop> innerOf(const slam::Mapper& mapper, const models::Trajectory& truth,
+                                 const std::vector<double>& update_times) {
+  for (const slam::ClosingRecord& record : mapper.closings()) {
+    if (!record.recovery) continue;
+    const double time = update_times[record.closing.opportunity.te];
+    const auto at = std::lower_bound(
+        truth.begin(), truth.end(), time,
+        [](const models::StampedPose& p, double t) { return p.time_s < t; });
+    return innerOf(record, mapper.path().front().pose,
+                   models::relativePose(truth.front().pose, at->pose));
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+LoopRunResult runLoop(const sim::TruthDrive& drive, const sim::NoiseParams& noise,
+                      const slam::SlamParams& params, const eval::CorrectBounds& bounds,
+                      std::uint64_t seed) {
+  const sim::SimulatedDrive seen = sim::observe(drive, noise, seed);
+  slam::SlamParams seeded = params;
+  seeded.filter.seed = seed;
+  slam::Mapper mapper(seeded, 1);
+  std::unique_ptr<slam::Mapper> standard;
+  mapper.onRecovery([&] {
+    if (!standard) standard = mapper.forkWithoutRecovery();
+  });
+  std::vector<double> update_times;
+  for (const models::SensorStep& step : seen.steps) {
+    if (standard) standard->process(step);
+    if (mapper.process(step)) update_times.push_back(step.time_s);
+  }
+  LoopRunResult result;
+  result.recovered = judge(mapper, seen.truth, bounds);
+  result.standard = standard ? judge(*standard, seen.truth, bounds) : result.recovered;
+  result.inner = innerOf(mapper, seen.truth, update_times);
+  for (const slam::ClosingRecord& record : mapper.closings()) {
+    ++result.closings;
+    result.recoveries += record.recovery ? 1 : 0;
+  }
+  return result;
+}
+
+}  // namespace ariadne::experiment

@@ -1,0 +1,83 @@
+#include "follower.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ariadne::sim {
+namespace {
+
+using mrpt::math::TPoint2D;
+using mrpt::math::TPose2D;
+
+constexpr double kReached_m = 0.3;
+constexpr double kLookahead_m = 1;
+constexpr double kDegree = M_PI / 180;
+// Turning on the spot begins and ends at different errors, or the robot would dither.
+constexpr double kBeginTurn = 35 * kDegree;
+constexpr double kEndTurn = 6 * kDegree;
+constexpr double kTurnGain = 2.5;  // rad/s per rad; damped with the motors' lag of 0.1 s
+constexpr double kBrakeGain = 1;   // m/s per m before a corner
+constexpr double kCornerSpeed_m_s = 0.2;
+
+double distance(const TPoint2D& a, double x, double y) { return std::hypot(a.x - x, a.y - y); }
+
+}  // namespace
+
+Follower::Follower(const std::vector<Waypoint>& waypoints, const TPose2D& start,
+                   const DriveParams& params)
+    : waypoints_(waypoints),
+      params_(params),
+      fastest_turn_(params.turn_deg_s * kDegree),
+      leg_from_(start.x, start.y) {}
+
+void Follower::see(const TPose2D& robot) {
+  while (!done() && distance(target(), robot.x, robot.y) <= kReached_m) {
+    leg_from_ = target();
+    ++reached_;
+  }
+}
+
+TPoint2D Follower::aim(const TPose2D& robot) const {
+  const TPoint2D leg = target() - leg_from_;
+  const double length = std::hypot(leg.x, leg.y);
+  if (length < kReached_m) return target();
+  const double along = ((robot.x - leg_from_.x) * leg.x + (robot.y - leg_from_.y) * leg.y) / length;
+  const double ahead = std::clamp(along + kLookahead_m, 0.0, length);
+  return leg_from_ + leg * (ahead / length);
+}
+
+bool Follower::sharpCornerAtTarget() const {
+  if (reached_ + 1 == waypoints_.size()) return true;  // to stand at the end
+  const TPoint2D in = target() - leg_from_;
+  const TPoint2D out = waypoints_[reached_ + 1].at - target();
+  const double turn = std::atan2(in.x * out.y - in.y * out.x, in.x * out.x + in.y * out.y);
+  return std::abs(turn) > kBeginTurn;
+}
+
+double Follower::speedTo(double distance_m) const {
+  if (!sharpCornerAtTarget()) return params_.speed_m_s;
+  const double left = std::max(0.0, distance_m - kReached_m);
+  return std::min(params_.speed_m_s, kCornerSpeed_m_s + kBrakeGain * left);
+}
+
+VelocityCommand Follower::command(const TPose2D& robot) {
+  if (done()) return {};
+  const TPoint2D point = aim(robot);
+  const double error =
+      std::remainder(std::atan2(point.y - robot.y, point.x - robot.x) - robot.phi, 2 * M_PI);
+  turning_ = std::abs(error) > (turning_ ? kEndTurn : kBeginTurn);
+  VelocityCommand out;
+  out.turn_rad_s = std::clamp(kTurnGain * error, -fastest_turn_, fastest_turn_);
+  if (!turning_) out.forward_m_s = speedTo(distance(target(), robot.x, robot.y)) * std::cos(error);
+  return out;
+}
+
+double Follower::patience(const TPose2D& robot) const {
+  if (done()) return 0;
+  constexpr double kMargin_s = 10;
+  const double slowest = std::min(params_.speed_m_s, kCornerSpeed_m_s);
+  const double corners_s = 2 * kLookahead_m / slowest + 4 * M_PI / fastest_turn_;
+  return kMargin_s + corners_s + 2 * distance(target(), robot.x, robot.y) / params_.speed_m_s;
+}
+
+}  // namespace ariadne::sim
