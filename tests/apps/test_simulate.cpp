@@ -1,8 +1,8 @@
 // ariadne-dataset simulate and world.
-#include <cstdlib>
 #include <sstream>
 
 #include "../io/temporary_folder.h"
+#include "../shipped_datasets.h"
 #include "ariadne/io/dataset.h"
 #include "ariadne/io/tum.h"
 #include "ariadne/io/whole_file.h"
@@ -153,7 +153,7 @@ TEST_F(SimulateApp, WorldDrawsAPicture) {
 }
 
 TEST_F(SimulateApp, TheCommittedLogIsWhatItsRecipeMakes) {
-  const fs::path datasets = fs::path(std::getenv("ARIADNE_SOURCE_DIR")) / "datasets";
+  const fs::path datasets = ariadne::test::shippedDatasets();
   ASSERT_EQ(run({"simulate", (datasets / "worlds/small.world").string(),
                  (datasets / "drives/small.path").string(), path("small.rawlog"), "--seed", "1"}),
             0)

@@ -3,21 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
+#include "../shipped_datasets.h"
 #include "ariadne/sim/drive.h"
 
 using namespace ariadne::sim;  // NOLINT: a test of this namespace
+using ariadne::test::shippedDatasets;
 namespace fs = std::filesystem;
 
 namespace {
 
-fs::path datasets() { return fs::path(std::getenv("ARIADNE_SOURCE_DIR")) / "datasets"; }
-
 fs::path worldOf(const fs::path& drive) {
   std::string stem = drive.stem().string();
   if (const auto at = stem.find("_no_inner"); at != std::string::npos) stem.resize(at);
-  return datasets() / "worlds" / (stem + ".world");
+  return shippedDatasets() / "worlds" / (stem + ".world");
 }
 
 double lengthUntil(const TruthDrive& drive, double time_s) {
@@ -31,7 +30,7 @@ double lengthUntil(const TruthDrive& drive, double time_s) {
 
 TEST(ShippedWorlds, AllDrivesArrive) {
   int count = 0;
-  for (const auto& entry : fs::directory_iterator(datasets() / "drives")) {
+  for (const auto& entry : fs::directory_iterator(shippedDatasets() / "drives")) {
     if (entry.path().extension() != ".path") continue;
     SCOPED_TRACE(entry.path().string());
     ++count;
@@ -51,8 +50,8 @@ TEST(ShippedWorlds, AllDrivesArrive) {
 }
 
 TEST(ShippedWorlds, ALapOfTheInnerRingIsItsLength) {
-  const World world = readWorld(datasets() / "worlds/nested.world");
-  const fs::path path = datasets() / "drives/nested.path";
+  const World world = readWorld(shippedDatasets() / "worlds/nested.world");
+  const fs::path path = shippedDatasets() / "drives/nested.path";
   const auto length = [&](int laps) {
     return lengthUntil(driveThrough(world, readPath(path, laps), {}), 1e9);
   };
