@@ -8,18 +8,13 @@
 #include "ariadne/io/dataset.h"
 #include "ariadne/io/tum.h"
 #include "dataset_info.h"
+#include "overwrite.h"
 #include "progress.h"
 
 namespace ariadne {
 namespace {
 
 namespace fs = std::filesystem;
-
-void refuseToOverwrite(const fs::path& path, const DatasetArguments& args) {
-  std::error_code ignored;
-  if (!args.overwrite && fs::exists(fs::symlink_status(path, ignored)))
-    throw core::Error(fmt::format("{} exists; -w replaces it", path.string()));
-}
 
 void warn(const io::StepSource& steps, std::ostream& err) {
   for (const std::string& line : steps.warnings())
@@ -29,7 +24,7 @@ void warn(const io::StepSource& steps, std::ostream& err) {
 /// Opens the input and lets `write` have its steps one by one.
 template <class Write>
 void convert(const DatasetArguments& args, std::ostream& out, std::ostream& err, Write write) {
-  refuseToOverwrite(args.out, args);
+  refuseToOverwrite(args.out, args.overwrite);
   const auto steps = io::openDataset(args.in, {args.laser});
   {
     Progress progress(err, "reading " + args.in.filename().string());
@@ -72,7 +67,7 @@ void addNoise(const DatasetArguments& args, std::ostream& out, std::ostream& err
   validate(args.noise);
   fs::path truth_path = args.out;
   truth_path += ".truth.tum";
-  refuseToOverwrite(truth_path, args);
+  refuseToOverwrite(truth_path, args.overwrite);
   models::Trajectory truth;
   io::NoisyOdometry odometry(args.noise, args.seed);
   convert(args, out, err, [&](const io::NextStep& next) {

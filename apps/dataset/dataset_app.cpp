@@ -1,16 +1,18 @@
 #include "dataset_app.h"
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <ostream>
 
 #include "ariadne/core/error.h"
 #include "commands.h"
+#include "simulate_options.h"
 
 namespace ariadne {
 namespace {
 
 constexpr const char* kAbout =
-    "Looks into datasets of 2D laser and odometry, and converts them.\n"
+    "Looks into datasets of 2D laser and odometry, converts them, and simulates new ones.\n"
     "Reads MRPT rawlogs (both forms) and CARMEN logs, gzip or not, told apart by content.";
 
 constexpr const char* kExamples =
@@ -20,6 +22,8 @@ constexpr const char* kExamples =
     "  ariadne-dataset import intel.clf.gz intel.rawlog\n"
     "  ariadne-dataset export run.rawlog run.log.gz\n"
     "  ariadne-dataset noise corrected.log noisy.rawlog --rot-rot 0.1 --seed 7\n"
+    "  ariadne-dataset simulate nested.world nested.path nested.rawlog --laps 6\n"
+    "  ariadne-dataset world nested.world nested.png --path nested.path\n"
     "Exit code: 0 fine, 1 the run failed, 2 wrong use.";
 
 constexpr const char* kNoiseFooter =
@@ -72,6 +76,7 @@ class CommandLine {
                      "stamps this many seconds apart, for logs whose own are useless")
         ->check(CLI::Range(1e-4, 1e4));
     noise->footer(kNoiseFooter);
+    addSimulation();
   }
 
   int run(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
@@ -81,7 +86,7 @@ class CommandLine {
       if (e.get_exit_code() == 0) return app_.exit(e, out, err);
       throw core::UsageError(std::string(e.what()) + " (see --help)");
     }
-    command_(args_, out, err);
+    command_(out, err);
     out.flush();
     if (!out) throw core::Error("cannot write to the standard output");
     return 0;
@@ -94,8 +99,18 @@ class CommandLine {
     CLI::App* sub = app_.add_subcommand(name, about);
     sub->add_option("IN", args_.in, "log to read")->required();
     sub->add_option("--laser", args_.laser, "label of the laser, where there are several");
-    sub->callback([this, command] { command_ = command; });
+    sub->callback([this, command] {
+      command_ = [this, command](auto& out, auto& err) { command(args_, out, err); };
+    });
     return sub;
+  }
+  void addSimulation() {
+    declareSimulate(app_, simulate_)->callback([this] {
+      command_ = [this](auto& out, auto& err) { simulate(simulate_, out, err); };
+    });
+    declareWorld(app_, simulate_)->callback([this] {
+      command_ = [this](auto& out, auto& err) { drawWorld(simulate_, out, err); };
+    });
   }
   void addOutput(CLI::App* sub, const char* about) {
     sub->add_option("OUT", args_.out, about)->required();
@@ -104,7 +119,8 @@ class CommandLine {
 
   CLI::App app_;
   DatasetArguments args_;
-  Command command_ = nullptr;
+  SimulateArguments simulate_;
+  std::function<void(std::ostream&, std::ostream&)> command_;
 };
 
 }  // namespace

@@ -82,6 +82,9 @@ class Driver {
     scan->maxRange = static_cast<float>(params_.max_range_m);
     world_.map.laserScanSimulator(*scan, mrpt::poses::CPose2D(pose()), 0.5F,
                                   static_cast<std::size_t>(params_.beams));
+    // MRPT 2.5.8 gives a beam without return 0.8 of the maximum range.
+    for (std::size_t i = 0; i < scan->getScanSize(); ++i)
+      if (!scan->getScanRangeValidity(i)) scan->setScanRange(i, scan->maxRange);
     truth_.scans.push_back(scan);
     truth_.poses.push_back({time_s_, pose()});
   }

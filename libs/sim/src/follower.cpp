@@ -38,20 +38,21 @@ void Follower::see(const TPose2D& robot) {
 }
 
 TPoint2D Follower::aim(const TPose2D& robot) const {
-  const TPoint2D leg = target() - leg_from_;
-  const double length = std::hypot(leg.x, leg.y);
+  const double leg_x = target().x - leg_from_.x;
+  const double leg_y = target().y - leg_from_.y;
+  const double length = std::hypot(leg_x, leg_y);
   if (length < kReached_m) return target();
-  const double along = ((robot.x - leg_from_.x) * leg.x + (robot.y - leg_from_.y) * leg.y) / length;
-  const double ahead = std::clamp(along + kLookahead_m, 0.0, length);
-  return leg_from_ + leg * (ahead / length);
+  const double along = ((robot.x - leg_from_.x) * leg_x + (robot.y - leg_from_.y) * leg_y) / length;
+  const double share = std::clamp(along + kLookahead_m, 0.0, length) / length;
+  return {leg_from_.x + share * leg_x, leg_from_.y + share * leg_y};
 }
 
 bool Follower::sharpCornerAtTarget() const {
   if (reached_ + 1 == waypoints_.size()) return true;  // to stand at the end
-  const TPoint2D in = target() - leg_from_;
-  const TPoint2D out = waypoints_[reached_ + 1].at - target();
-  const double turn = std::atan2(in.x * out.y - in.y * out.x, in.x * out.x + in.y * out.y);
-  return std::abs(turn) > kBeginTurn;
+  const TPoint2D& next = waypoints_[reached_ + 1].at;
+  const double in = std::atan2(target().y - leg_from_.y, target().x - leg_from_.x);
+  const double out = std::atan2(next.y - target().y, next.x - target().x);
+  return std::abs(std::remainder(out - in, 2 * M_PI)) > kBeginTurn;
 }
 
 double Follower::speedTo(double distance_m) const {

@@ -33,11 +33,11 @@ struct Drawing {
 
 std::vector<Block> corridorOf(const ScriptLine& line) {
   const char* usage = "corridor WIDTH x y x y ...";
-  if (line.words.size() < 5)
-    throw lineError(line, fmt::format("it takes a width and two points at least: {}", usage));
-  if (line.words.size() % 2 == 0)
+  if (!line.words.empty() && line.words.size() % 2 == 0)
     throw lineError(line, fmt::format("an odd count of coordinates, {}; points are pairs: {}",
                                       line.words.size() - 1, usage));
+  if (line.words.size() < 5)
+    throw lineError(line, fmt::format("it takes a width and two points at least: {}", usage));
   const double width_m = numberIn(line, line.words[0], "the width", {0.1, 100});
   const auto values = coordinates(line, 1);
   std::vector<TPoint2D> points;
@@ -112,9 +112,8 @@ mrpt::maps::COccupancyGridMap2D rockAround(const Drawing& drawing, const std::st
 void checkStart(const World& world, const Start& start) {
   const auto& map = world.map;
   const double x = start.pose.x, y = start.pose.y;
-  const bool outside =
-      x < map.getXMin() || x > map.getXMax() || y < map.getYMin() || y > map.getYMax();
-  if (outside || map.getPos(static_cast<float>(x), static_cast<float>(y)) < 0.5F)
+  // Beyond the map getPos() says 0.5.
+  if (!(map.getPos(static_cast<float>(x), static_cast<float>(y)) > 0.5F))
     throw lineError(start.line, fmt::format("({}, {}) is in rock; a robot starts where a corridor "
                                             "or a room was carved",
                                             x, y));

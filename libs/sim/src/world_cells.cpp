@@ -15,14 +15,15 @@ Block rectangle(double x0, double y0, double x1, double y1, bool rock) {
 std::vector<Block> corridorBlocks(double width_m, const std::vector<mrpt::math::TPoint2D>& line) {
   std::vector<Block> blocks;
   for (std::size_t i = 1; i < line.size(); ++i) {
-    const auto step = line[i] - line[i - 1];
-    const double length = std::hypot(step.x, step.y);
+    const double step_x = line[i].x - line[i - 1].x;
+    const double step_y = line[i].y - line[i - 1].y;
+    const double length = std::hypot(step_x, step_y);
     Block block;
     block.x = (line[i].x + line[i - 1].x) / 2;
     block.y = (line[i].y + line[i - 1].y) / 2;
     if (length > 0) {
-      block.cos = step.x / length;
-      block.sin = step.y / length;
+      block.cos = step_x / length;
+      block.sin = step_y / length;
     }
     block.half_length = (length + width_m) / 2;
     block.half_width = width_m / 2;

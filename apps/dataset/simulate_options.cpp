@@ -1,0 +1,54 @@
+#include "simulate_options.h"
+
+namespace ariadne {
+namespace {
+
+constexpr const char* kAboutSimulate =
+    "A robot driven through a world: a rawlog, the true poses, the times of marks";
+
+constexpr const char* kSimulateFooter =
+    "Writes OUT, a rawlog; OUT.truth.tum, the true poses; OUT.marks.csv, when the drive's marks\n"
+    "were passed. The formats of WORLD and PATH are explained in datasets/README.md.\n"
+    "Example: ariadne-dataset simulate datasets/worlds/nested.world datasets/drives/nested.path "
+    "\\\n"
+    "           nested.rawlog --laps 6 --seed 7 --set noise.turn_per_m_deg=1\n"
+    "Keys of --set, with their defaults:\n";
+
+constexpr const char* kWorldFooter =
+    "Example: ariadne-dataset world datasets/worlds/nested.world nested.png \\\n"
+    "           --path datasets/drives/nested.path --laps 1";
+
+void addDriveOptions(CLI::App* sub, SimulateArguments& args) {
+  sub->add_option("--laps", args.laps, "what `repeat laps` means in the drive");
+  sub->add_option("--set", args.settings, "section.key=value; may be given again and again")
+      ->allow_extra_args(false)
+      ->take_all();
+  sub->add_flag("-w,--overwrite", args.overwrite, "replace what is there");
+}
+
+}  // namespace
+
+CLI::App* declareSimulate(CLI::App& app, SimulateArguments& args) {
+  CLI::App* sub = app.add_subcommand("simulate", kAboutSimulate);
+  sub->add_option("WORLD", args.world, "world to drive in")->required();
+  sub->add_option("PATH", args.path, "drive: its waypoints")->required();
+  sub->add_option("OUT", args.out, "rawlog to write")->required();
+  sub->add_option("--seed", args.seed, "same seed, same noise; the true drive is always the same")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);  // else -1 would be 2^64 - 1
+  addDriveOptions(sub, args);
+  sub->footer(kSimulateFooter + simulationKeys());
+  return sub;
+}
+
+CLI::App* declareWorld(CLI::App& app, SimulateArguments& args) {
+  CLI::App* sub = app.add_subcommand("world", "A picture of a world, and of a drive in it");
+  sub->add_option("WORLD", args.world, "world to draw")->required();
+  sub->add_option("OUT", args.out, "PNG to write")->required();
+  sub->add_option("--path", args.path, "drive to draw: its waypoints");
+  addDriveOptions(sub, args);
+  sub->footer(kWorldFooter);
+  return sub;
+}
+
+}  // namespace ariadne
