@@ -5,7 +5,7 @@
 
 #include "ariadne/core/error.h"
 #include "ariadne/grid/occupancy_grid.h"
-#include "ariadne/grid/polygon_rows.h"
+#include "polygon_rows.h"
 #include "scans.h"
 
 using namespace ariadne;
