@@ -44,6 +44,17 @@ static void BM_DriveScanByScan(benchmark::State& state) {
 }
 BENCHMARK(BM_DriveScanByScan)->ArgName("deg")->Arg(0)->Arg(30)->Unit(benchmark::kMillisecond);
 
+static void BM_DriveAtOnce(benchmark::State& state) {
+  const auto drive = test::corridorLoop({}, headingOf(state));
+  const auto scans = drive.placed();
+  for (auto _ : state) {
+    grid::OccupancyGrid map;
+    map.insertMany(scans);
+    benchmark::DoNotOptimize(map);
+  }
+}
+BENCHMARK(BM_DriveAtOnce)->ArgName("deg")->Arg(0)->Arg(30)->Unit(benchmark::kMillisecond);
+
 /// Thirty particles with maps of their own, which share tiles with a parent from time to time.
 static void BM_InsertOpen(benchmark::State& state) {
   std::vector<grid::ScanShape> shapes;

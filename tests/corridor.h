@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ariadne/core/random.h"
-#include "ariadne/grid/scan_shape.h"
+#include "ariadne/grid/occupancy_grid.h"
 
 namespace ariadne::test {
 
@@ -107,6 +107,11 @@ inline std::vector<mrpt::math::TPose2D> corridorDrive(double step_m = 0.3) {
 struct Drive {
   std::vector<grid::ScanShape> shapes;
   std::vector<mrpt::math::TPose2D> poses;
+  std::vector<grid::PlacedScan> placed() const {
+    std::vector<grid::PlacedScan> scans;
+    for (std::size_t i = 0; i < poses.size(); ++i) scans.push_back({&shapes[i], poses[i]});
+    return scans;
+  }
 };
 
 /// Once round the corridor, turned by `heading` rad about its start: nothing lies along the grid.

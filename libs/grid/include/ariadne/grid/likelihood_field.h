@@ -56,11 +56,15 @@ class LikelihoodField {
   void occupy(Cell cell);
   /// Cell (x, y) is no longer occupied; `log_odds` is the map after the change.
   void release(Cell cell, const TiledPlane<std::int8_t>& log_odds);
+  /// Any cells within the boxes turned occupied or ceased to be; `log_odds` is the map after it
+  /// all.
+  void update(const std::vector<CellBox>& changed, const TiledPlane<std::int8_t>& log_odds);
   void clear() { plane_.clear(); }
 
  private:
+  using Plane = TiledPlane<std::uint8_t>;
   std::shared_ptr<const FieldKernel> kernel_;
-  TiledPlane<std::uint8_t> plane_;
+  Plane plane_;
 };
 
 }  // namespace ariadne::grid
