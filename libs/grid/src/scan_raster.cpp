@@ -30,18 +30,20 @@ CellsFromRobot::CellsFromRobot(const mrpt::math::TPose2D& map_from_robot,
 }
 
 void ScanRaster::build(const ScanShape& shape, const CellsFromRobot& cells_from_robot) {
-  placed_.clear();
-  hits_.clear();
-  place(shape.outline, cells_from_robot);
-  place(shape.hits, cells_from_robot);
+  placed_.resize(shape.outline.size() + shape.hits.size());
+  place(shape.outline, cells_from_robot, placed_.data());
+  place(shape.hits, cells_from_robot, placed_.data() + shape.outline.size());
   cover();
   if (shape.outline.size() > 2) crossEdges(shape.outline.size());
   markHits(shape.outline.size());
 }
 
-void ScanRaster::place(const std::vector<Point>& points, const CellsFromRobot& t) {
-  for (const Point& p : points)
-    placed_.emplace_back(t.x0 + t.c * p.x - t.s * p.y, t.y0 + t.s * p.x + t.c * p.y);
+void ScanRaster::place(const std::vector<Point>& points, const CellsFromRobot& t, Point* to) {
+  for (const Point& p : points) {
+    to->x = t.x0 + t.c * p.x - t.s * p.y;
+    to->y = t.y0 + t.s * p.x + t.c * p.y;
+    ++to;
+  }
 }
 
 /// Lays the index over all points, with a cell to spare for what rounding adds to a crossing.
@@ -53,15 +55,18 @@ void ScanRaster::cover() {
   if (placed_.empty()) return;
   Point low = placed_.front();
   Point high = low;
-  double none = 0;  // NaN when a point is not finite
+  Point none(0, 0);  // NaN when a point is not finite
   for (const Point& p : placed_) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    none += (p.x - p.x) + (p.y - p.y);
+    low.x = std::min(low.x, p.x);
+    low.y = std::min(low.y, p.y);
+    high.x = std::max(high.x, p.x);
+    high.y = std::max(high.y, p.y);
+    none.x += p.x - p.x;
+    none.y += p.y - p.y;
   }
   constexpr double kTile = kTileCells;
   const double tiles = ((high.x - low.x) / kTile + 2) * ((high.y - low.y) / kTile + 2);
-  if (none != 0 || !(std::max(-low.x, high.x) < 2 * kFarthestCell) ||
+  if (none.x != 0 || none.y != 0 || !(std::max(-low.x, high.x) < 2 * kFarthestCell) ||
       !(std::max(-low.y, high.y) < 2 * kFarthestCell) || tiles > kMostTiles)
     throw core::Error("a scan cannot be inserted: it reaches past all bounds");
   box_ = {(floorToInt(low.x) - 1) >> kTileBits, (floorToInt(low.y) - 1) >> kTileBits,
@@ -70,37 +75,50 @@ void ScanRaster::cover() {
   index_.assign(width_ * static_cast<std::size_t>(box_.y1 - box_.y0), 0);
 }
 
-/// Flips a bit where an edge crosses the centre line of a row: at the first cell whose centre is
-/// right of it.
 void ScanRaster::crossEdges(std::size_t outline) {
   row_.resize(outline);
   for (std::size_t i = 0; i < outline; ++i) row_[i] = firstCentre(placed_[i].y);
   std::size_t from = outline - 1;
   for (std::size_t to = 0; to < outline; from = to++) {
-    if (row_[from] == row_[to]) continue;
-    const bool up = row_[from] < row_[to];
-    const Point& a = placed_[up ? from : to];
-    const Point& b = placed_[up ? to : from];
-    const int end = std::max(row_[from], row_[to]);
-    const double slope = (b.x - a.x) / (b.y - a.y);
-    int y = std::min(row_[from], row_[to]);
-    for (double x = a.x + (y + 0.5 - a.y) * slope; y < end; ++y, x += slope) {
+    if (row_[from] < row_[to]) crossEdge(placed_[from], placed_[to], row_[from], row_[to]);
+    if (row_[from] > row_[to]) crossEdge(placed_[to], placed_[from], row_[to], row_[from]);
+  }
+}
+
+/// Flips a bit where the edge from a up to b crosses the centre line of a row: at the first cell
+/// whose centre is right of it.
+inline void ScanRaster::crossEdge(const Point& a, const Point& b, int y, int end) {
+  const double slope = (b.x - a.x) / (b.y - a.y);
+  double x = a.x + (y + 0.5 - a.y) * slope;
+  while (y < end) {
+    const int ty = y >> kTileBits;
+    const int next = std::min(end, (ty + 1) * kTileCells);
+    int tx = box_.x1;  // none
+    std::uint32_t* rows = nullptr;
+    for (; y < next; ++y, x += slope) {
       const int column = firstCentre(x);
-      slot(column >> kTileBits, y >> kTileBits).crossed.rows[y & (kTileCells - 1)] ^=
-          1U << (column & (kTileCells - 1));
+      if (column >> kTileBits != tx) {
+        tx = column >> kTileBits;
+        rows = slot(tx, ty).crossed.rows.data();
+      }
+      rows[y & (kTileCells - 1)] ^= 1U << (column & (kTileCells - 1));
     }
   }
 }
 
 void ScanRaster::markHits(std::size_t first) {
+  hits_.resize(placed_.size() - first);
+  std::size_t count = 0;
   for (std::size_t i = first; i < placed_.size(); ++i) {
     const Cell cell{floorToInt(placed_[i].x), floorToInt(placed_[i].y)};
-    const std::uint32_t bit = 1U << (cell.x & (kTileCells - 1));
+    const int x = cell.x & (kTileCells - 1);
     std::uint32_t& row =
         slot(cell.x >> kTileBits, cell.y >> kTileBits).hit.rows[cell.y & (kTileCells - 1)];
-    if ((row & bit) == 0) hits_.push_back(cell);
-    row |= bit;
+    hits_[count] = cell;
+    count += (row >> x & 1U) ^ 1U;  // the next one takes its place when it was hit already
+    row |= 1U << x;
   }
+  hits_.resize(count);
 }
 
 std::uint32_t ScanRaster::newSlot() {

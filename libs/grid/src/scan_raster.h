@@ -48,9 +48,10 @@ class ScanRaster {
     TileMask hit;
   };
 
-  void place(const std::vector<Point>& points, const CellsFromRobot& t);
+  static void place(const std::vector<Point>& points, const CellsFromRobot& t, Point* to);
   void cover();
   void crossEdges(std::size_t outline);
+  void crossEdge(const Point& a, const Point& b, int y, int end);
   void markHits(std::size_t first);
   Slot& slot(int tx, int ty) {
     std::uint32_t& i = index_[static_cast<std::size_t>(ty - box_.y0) * width_ + (tx - box_.x0)];
