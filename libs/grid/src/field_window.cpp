@@ -1,7 +1,10 @@
 #include "field_window.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
+
+#include "row_lanes.h"
 
 namespace ariadne::grid {
 namespace {
@@ -18,12 +21,17 @@ void raiseToProduct(std::uint8_t* __restrict out, const std::uint8_t* __restrict
   }
 }
 
-/// to = 255 on the occupied cells; false when there are none.
-bool occupiedCells(std::uint8_t* __restrict to, const std::int8_t* __restrict cells) {
-  std::int8_t any = 0;
-  for (int i = 0; i < kTileCells; ++i) any = static_cast<std::int8_t>(any | cells[i]);
+/// to = 255 on the occupied cells.
+void markOccupied(std::uint8_t* __restrict to, const std::int8_t* __restrict cells) {
   for (int i = 0; i < kTileCells; ++i) to[i] = cells[i] < 0 ? 255 : 0;
-  return any < 0;
+}
+
+/// The cells of the tile `beside` columns of tiles away that are within `radius` columns of the
+/// tile in work.
+std::uint32_t withinReach(int beside, int radius) {
+  const int columns = beside == 0 ? kTileCells : radius - (std::abs(beside) - 1) * kTileCells;
+  if (columns >= kTileCells) return ~0U;
+  return beside > 0 ? (1U << columns) - 1 : ~0U << (kTileCells - columns);
 }
 
 }  // namespace
@@ -33,32 +41,40 @@ void FieldWindow::build(const FieldKernel& kernel, const TiledPlane<std::int8_t>
   const int r = kernel.radius();
   const int beside = (r + kTileCells - 1) >> kTileBits;  // tiles that reach in from each side
   tiles_.assign(static_cast<std::size_t>(2 * beside + 1), nullptr);
-  occupied_.assign(tiles_.size() * kTileCells, 0);
+  occupied_.resize(tiles_.size() * kTileCells);
+  reach_.resize(tiles_.size());
+  for (int i = -beside; i <= beside; ++i) reach_[i + beside] = withinReach(i, r);
   first_row_ = y0 - r;
   const auto rows = static_cast<std::size_t>(y1 - y0 + 2 * r);
   spread_.resize(rows);
-  any_.assign(rows, 0);
+  any_.resize(rows);
   for (int y = y0 - r; y < y1 + r; ++y) {
     if (y == y0 - r || (y & (kTileCells - 1)) == 0)
       for (int i = -beside; i <= beside; ++i)
         tiles_[i + beside] = log_odds.tile(tx + i, y >> kTileBits);
     const auto at = static_cast<std::size_t>(y - first_row_);
-    any_[at] = markOccupied(y);
+    any_[at] = findOccupied(y);
     if (any_[at]) spread(kernel, spread_[at]);
   }
   for (int y = y0; y < y1; ++y) combine(kernel, y, field_[y - ty * kTileCells]);
 }
 
-bool FieldWindow::markOccupied(int y) {
-  bool any = false;
+/// Whether row y has occupied cells that reach into the window; marks them if so. Most rows have
+/// none.
+bool FieldWindow::findOccupied(int y) {
+  const int row = TiledPlane<std::int8_t>::offset(0, y);
+  std::uint32_t any = 0;
+  for (std::size_t i = 0; i < tiles_.size(); ++i)
+    if (tiles_[i]) any |= occupiedOf(tiles_[i]->data() + row) & reach_[i];
+  if (any == 0) return false;
   for (std::size_t i = 0; i < tiles_.size(); ++i) {
     std::uint8_t* to = &occupied_[i * kTileCells];
     if (tiles_[i])
-      any |= occupiedCells(to, tiles_[i]->data() + TiledPlane<std::int8_t>::offset(0, y));
+      markOccupied(to, tiles_[i]->data() + row);
     else
       std::memset(to, 0, kTileCells);
   }
-  return any;
+  return true;
 }
 
 void FieldWindow::spread(const FieldKernel& kernel, Row& out) const {

@@ -21,12 +21,13 @@ class FieldWindow {
   };
   using Tile = TiledPlane<std::int8_t>::Tile;
 
-  bool markOccupied(int y);
+  bool findOccupied(int y);
   void spread(const FieldKernel& kernel, Row& out) const;
   void combine(const FieldKernel& kernel, int y, Row& out) const;
 
   int first_row_ = 0;                   // first of spread_
   std::vector<const Tile*> tiles_;      // of the tile row in work
+  std::vector<std::uint32_t> reach_;    // which columns of each of them are near enough
   std::vector<std::uint8_t> occupied_;  // 255 on the occupied cells of the row in work
   std::vector<Row> spread_;             // the field of each row's own occupied cells, at that row
   std::vector<char> any_;               // whether there are any

@@ -15,7 +15,7 @@ using Plane = TiledPlane<std::int8_t>;
 /// copied) only when a cell of it really changes.
 class TileFiller {
  public:
-  TileFiller(Plane& cells, std::int8_t amount, std::vector<Cell>& freed)
+  TileFiller(Plane& cells, std::int8_t amount, std::vector<CellBox>& freed)
       : cells_(cells), amount_(amount), lanes_(amount), freed_(freed) {}
 
   void fill(int tx, int ty, const TileMask& mask) {
@@ -27,13 +27,11 @@ class TileFiller {
       while (y < kTileCells && !lanes_.changes(tile->data() + y * kTileCells, mask.rows[y])) ++y;
     if (y == kTileCells) return;
     std::int8_t* out = cells_.writeTile(tx, ty).data();
-    for (; y < kTileCells; ++y) {
-      if (mask.rows[y] == 0) continue;
-      std::uint32_t freed = lanes_.add(out + y * kTileCells, mask.rows[y]);
-      for (; freed != 0; freed &= freed - 1)
-        freed_.push_back({tx * kTileCells + __builtin_ctz(freed), ty * kTileCells + y});
-    }
-    if (full && allMostFree(out)) cells_.setUniform(tx, ty, kMostFree);
+    BoxOfBits freed;
+    for (; y < kTileCells; ++y)
+      if (mask.rows[y] != 0) freed.add(y, lanes_.add(out + y * kTileCells, mask.rows[y]));
+    if (!freed.empty()) freed_.push_back(freed.inTile(tx, ty));
+    if (full && holdsOnly(out, kMostFree)) cells_.setUniform(tx, ty, kMostFree);
   }
 
  private:
@@ -45,22 +43,17 @@ class TileFiller {
     if (sum != *value) cells_.setUniform(tx, ty, static_cast<std::int8_t>(sum));
     return true;
   }
-  static bool allMostFree(const std::int8_t* tile) {
-    int y = 0;
-    while (y < kTileCells && allAre(tile + y * kTileCells, kMostFree)) ++y;
-    return y == kTileCells;
-  }
 
   Plane& cells_;
   int amount_;
   FreeLanes lanes_;
-  std::vector<Cell>& freed_;
+  std::vector<CellBox>& freed_;  // boxes of cells that ceased to be occupied
 };
 
 /// Buffers that a thread keeps from scan to scan.
 struct Scratch {
   ScanRaster raster;
-  std::vector<Cell> freed;
+  std::vector<CellBox> changed;
 };
 
 }  // namespace
@@ -68,8 +61,8 @@ struct Scratch {
 void OccupancyGrid::insert(const ScanShape& shape, const mrpt::math::TPose2D& map_from_robot) {
   static thread_local Scratch scratch;
   scratch.raster.build(shape, CellsFromRobot(map_from_robot, origin_, resolution_));
-  scratch.freed.clear();
-  TileFiller filler(cells_, evidence_.free, scratch.freed);
+  scratch.changed.clear();
+  TileFiller filler(cells_, evidence_.free, scratch.changed);
   scratch.raster.forEachTile(
       [&](int tx, int ty, const TileMask& free) { filler.fill(tx, ty, free); });
 
@@ -79,7 +72,7 @@ void OccupancyGrid::insert(const ScanShape& shape, const mrpt::math::TPose2D& ma
     if (before != after) cells_.set(cell.x, cell.y, static_cast<std::int8_t>(after));
     if (before >= 0 && after < 0) field_.occupy(cell);
   }
-  for (const Cell cell : scratch.freed) field_.release(cell, cells_);
+  field_.update(scratch.changed, cells_);
 }
 
 }  // namespace ariadne::grid

@@ -112,4 +112,11 @@ class FreeLanes {
 
 #endif
 
+/// True when all cells of the tile hold `value`.
+inline bool holdsOnly(const std::int8_t* tile, std::int8_t value) {
+  int y = 0;
+  while (y < kTileCells && allAre(tile + y * kTileCells, value)) ++y;
+  return y == kTileCells;
+}
+
 }  // namespace ariadne::grid

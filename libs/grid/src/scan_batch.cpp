@@ -14,30 +14,13 @@ CellBox joined(const CellBox& a, const CellBox& b) {
   return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
 }
 
-/// What changed between two tiles of log odds, as a box of cells; empty when nothing did.
-CellBox occupancyChange(const std::int8_t* before, const std::int8_t* after, int tx, int ty) {
-  std::uint32_t columns = 0;
-  int first = kTileCells;
-  int last = 0;
-  for (int y = 0; y < kTileCells; ++y) {
-    const std::uint32_t changed =
-        (before ? occupiedOf(before + y * kTileCells) : 0) ^ occupiedOf(after + y * kTileCells);
-    if (changed == 0) continue;
-    columns |= changed;
-    first = std::min(first, y);
-    last = y;
-  }
-  if (columns == 0) return {};
-  const int x = tx * kTileCells;
-  const int y = ty * kTileCells;
-  return {x + __builtin_ctz(columns), y + first, x + kTileCells - __builtin_clz(columns),
-          y + last + 1};
-}
-
-bool uniform(const std::int8_t* tile) {
-  int y = 0;
-  while (y < kTileCells && allAre(tile + y * kTileCells, tile[0])) ++y;
-  return y == kTileCells;
+/// Box of the cells that are occupied in one of two tiles only.
+BoxOfBits occupancyChange(const std::int8_t* before, const std::int8_t* after) {
+  BoxOfBits box;
+  for (int y = 0; y < kTileCells; ++y)
+    box.add(
+        y, (before ? occupiedOf(before + y * kTileCells) : 0) ^ occupiedOf(after + y * kTileCells));
+  return box;
 }
 
 }  // namespace
@@ -147,9 +130,9 @@ void ScanBatch::finish(Plane& cells, std::vector<CellBox>& changed) {
     const std::int8_t* before = tile.before ? tile.before->data() : nullptr;
     const std::int8_t* after = tile.cells.data();
     if (before && std::memcmp(before, after, tile.cells.size()) == 0) continue;
-    const CellBox box = occupancyChange(before, after, tile.tx, tile.ty);
-    if (!box.empty()) changed.push_back(box);
-    if (uniform(after))
+    const BoxOfBits box = occupancyChange(before, after);
+    if (!box.empty()) changed.push_back(box.inTile(tile.tx, tile.ty));
+    if (holdsOnly(after, after[0]))
       cells.setUniform(tile.tx, tile.ty, after[0]);
     else
       cells.setTile(tile.tx, tile.ty, tile.cells);

@@ -43,6 +43,31 @@ inline TileMask insideOf(const TileMask& crossed, TileMask& left) {
   return inside;
 }
 
+/// Smallest box about the bits of a tile's rows.
+class BoxOfBits {
+ public:
+  /// Rows come in ascending order.
+  void add(int y, std::uint32_t row) {
+    if (row == 0) return;
+    if (columns_ == 0) first_ = y;
+    columns_ |= row;
+    last_ = y;
+  }
+  bool empty() const { return columns_ == 0; }
+  /// In cells of the map; not for an empty one.
+  CellBox inTile(int tx, int ty) const {
+    const int x = tx * kTileCells;
+    const int y = ty * kTileCells;
+    return {x + __builtin_ctz(columns_), y + first_, x + kTileCells - __builtin_clz(columns_),
+            y + last_ + 1};
+  }
+
+ private:
+  std::uint32_t columns_ = 0;
+  int first_ = 0;
+  int last_ = 0;
+};
+
 inline void exclude(TileMask& from, const TileMask& cells) {
   for (int y = 0; y < kTileCells; ++y) from.rows[y] &= ~cells.rows[y];
 }
