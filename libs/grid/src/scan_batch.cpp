@@ -81,13 +81,17 @@ ScanBatch::OpenTile& ScanBatch::tileAt(int tx, int ty) {
 void ScanBatch::count(OpenTile& tile, const TileMask& free) {
   if (tile.counted == kMostCounted) settle(tile);
   ++tile.counted;
-  TileMask carry = free;
-  for (TileMask& plane : tile.counts)
-    for (int y = 0; y < kTileCells; ++y) {
-      const std::uint32_t sum = plane.rows[y] ^ carry.rows[y];
-      carry.rows[y] &= plane.rows[y];
-      plane.rows[y] = sum;
-    }
+  const std::uint32_t* rows = free.rows.data();
+  for (RowCounts& counts : tile.counts) {
+    std::uint32_t carry[4] = {rows[0], rows[1], rows[2], rows[3]};
+    for (auto& plane : counts.planes)
+      for (int y = 0; y < 4; ++y) {
+        const std::uint32_t sum = plane[y] ^ carry[y];
+        carry[y] &= plane[y];
+        plane[y] = sum;
+      }
+    rows += 4;
+  }
 }
 
 /// A beam ended in the cell: the free evidence so far comes first, since both saturate.
@@ -97,7 +101,7 @@ void ScanBatch::hit(Cell cell) {
   const int x = cell.x & (kTileCells - 1);
   int count = 0;
   for (int k = 0; k < kPlanes; ++k) {
-    std::uint32_t& row = tile.counts[k].rows[y];
+    std::uint32_t& row = tile.counts[y / 4].planes[k][y % 4];
     count |= static_cast<int>(row >> x & 1U) << k;
     row &= ~(1U << x);
   }
@@ -110,12 +114,15 @@ void ScanBatch::hit(Cell cell) {
 /// times 16: it is added in parts, of which three fill any cell.
 void ScanBatch::settle(OpenTile& tile) const {
   for (int k = 0; k < kPlanes; ++k) {
-    if (!tile.counts[k].any()) continue;
+    std::uint32_t any = 0;
+    for (const RowCounts& counts : tile.counts)
+      for (const std::uint32_t row : counts.planes[k]) any |= row;
+    if (any == 0) continue;
     int amount = evidence_.free << k;
     for (int part = 0; part < 3 && amount > 0; ++part, amount -= kMostFree) {
       const FreeLanes lanes(static_cast<std::int8_t>(std::min(amount, int{kMostFree})));
       for (int y = 0; y < kTileCells; ++y)
-        if (const std::uint32_t cells = tile.counts[k].rows[y])
+        if (const std::uint32_t cells = tile.counts[y / 4].planes[k][y % 4])
           lanes.add(&tile.cells[y * kTileCells], cells);
     }
   }

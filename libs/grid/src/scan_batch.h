@@ -29,9 +29,13 @@ class ScanBatch {
   static constexpr int kMostCounted = (1 << kPlanes) - 1;
   using Plane = TiledPlane<std::int8_t>;
 
+  /// Four rows' bits of each plane: one register each, and all that a hit cell needs in 80 bytes.
+  struct alignas(16) RowCounts {
+    std::uint32_t planes[kPlanes][4];
+  };
   struct OpenTile {
     alignas(16) Plane::Tile cells;  // before the counted scans
-    std::array<TileMask, kPlanes> counts;
+    std::array<RowCounts, kTileCells / 4> counts;
     int counted = 0;
     int tx = 0;
     int ty = 0;

@@ -78,30 +78,27 @@ void ScanRaster::cover() {
 void ScanRaster::crossEdges(std::size_t outline) {
   row_.resize(outline);
   for (std::size_t i = 0; i < outline; ++i) row_[i] = firstCentre(placed_[i].y);
+  Cursor cursor{box_.x1, box_.y1, nullptr};  // outside the box
   std::size_t from = outline - 1;
   for (std::size_t to = 0; to < outline; from = to++) {
-    if (row_[from] < row_[to]) crossEdge(placed_[from], placed_[to], row_[from], row_[to]);
-    if (row_[from] > row_[to]) crossEdge(placed_[to], placed_[from], row_[to], row_[from]);
+    if (row_[from] < row_[to]) crossEdge(placed_[from], placed_[to], row_[from], row_[to], cursor);
+    if (row_[from] > row_[to]) crossEdge(placed_[to], placed_[from], row_[to], row_[from], cursor);
   }
 }
 
 /// Flips a bit where the edge from a up to b crosses the centre line of a row: at the first cell
 /// whose centre is right of it.
-inline void ScanRaster::crossEdge(const Point& a, const Point& b, int y, int end) {
+inline void ScanRaster::crossEdge(const Point& a, const Point& b, int y, int end, Cursor& cursor) {
   const double slope = (b.x - a.x) / (b.y - a.y);
   double x = a.x + (y + 0.5 - a.y) * slope;
   while (y < end) {
     const int ty = y >> kTileBits;
     const int next = std::min(end, (ty + 1) * kTileCells);
-    int tx = box_.x1;  // none
-    std::uint32_t* rows = nullptr;
     for (; y < next; ++y, x += slope) {
       const int column = firstCentre(x);
-      if (column >> kTileBits != tx) {
-        tx = column >> kTileBits;
-        rows = slot(tx, ty).crossed.rows.data();
-      }
-      rows[y & (kTileCells - 1)] ^= 1U << (column & (kTileCells - 1));
+      if (const int tx = column >> kTileBits; tx != cursor.tx || ty != cursor.ty)
+        cursor = {tx, ty, slot(tx, ty).crossed.rows.data()};
+      cursor.rows[y & (kTileCells - 1)] ^= 1U << (column & (kTileCells - 1));
     }
   }
 }

@@ -51,7 +51,13 @@ class ScanRaster {
   static void place(const std::vector<Point>& points, const CellsFromRobot& t, Point* to);
   void cover();
   void crossEdges(std::size_t outline);
-  void crossEdge(const Point& a, const Point& b, int y, int end);
+  /// The tile that the last crossing was in.
+  struct Cursor {
+    int tx;
+    int ty;
+    std::uint32_t* rows;
+  };
+  void crossEdge(const Point& a, const Point& b, int y, int end, Cursor& cursor);
   void markHits(std::size_t first);
   Slot& slot(int tx, int ty) {
     std::uint32_t& i = index_[static_cast<std::size_t>(ty - box_.y0) * width_ + (tx - box_.x0)];
