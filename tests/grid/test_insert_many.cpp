@@ -195,6 +195,21 @@ TEST(InsertMany, APoseThatIsNoPlaceIsAnErrorAndChangesNothing) {
   }
 }
 
+TEST(InsertMany, ARunawayPoseIsAnErrorAndTheFieldStillBelongsToTheMap) {
+  auto scans = randomDrive(7, 10, {});
+  scans.placed[5].map_from_robot = {4e6, 4e6, 0};
+  OccupancyGrid map;
+  EXPECT_THROW(map.insertMany(scans.placed), core::Error);
+  OccupancyGrid again;  // cell by cell, so that the field follows each
+  map.cells().forEachTile([&](int tx, int ty, const auto& tile) {
+    for (int i = 0; i < static_cast<int>(tile.size()); ++i)
+      again.set({tx * grid::kTileCells + i % grid::kTileCells,
+                 ty * grid::kTileCells + i / grid::kTileCells},
+                tile[i]);
+  });
+  expectSame(map, again);
+}
+
 TEST(InsertMany, AShapeThatIsNotFiniteIsAnError) {
   OccupancyGrid map;
   for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), 1e12}) {

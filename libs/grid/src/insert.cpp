@@ -22,6 +22,7 @@ class TileFiller {
     const auto* tile = cells_.tile(tx, ty);
     const bool full = mask.full();
     if (full && fillUniform(tx, ty, tile)) return;
+    if (tile) prefetch(tile->data());
     int y = 0;
     if (tile)
       while (y < kTileCells && !lanes_.changes(tile->data() + y * kTileCells, mask.rows[y])) ++y;
@@ -35,6 +36,11 @@ class TileFiller {
   }
 
  private:
+  /// Another particle's tiles have pushed this one out of the cache: all its lines at once.
+  static void prefetch(const std::int8_t* tile) {
+    constexpr int kCacheLine = 64;
+    for (int i = 0; i < kTileCells * kTileCells; i += kCacheLine) __builtin_prefetch(tile + i);
+  }
   /// Most tiles that lie wholly inside are uniform: the sum is another one, and no cell is touched.
   bool fillUniform(int tx, int ty, const Plane::Tile* tile) {
     const auto value = tile ? Plane::uniformValue(tile) : std::optional<std::int8_t>(0);

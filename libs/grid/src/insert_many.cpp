@@ -21,13 +21,18 @@ void OccupancyGrid::insertMany(const std::vector<PlacedScan>& scans) {
     scratch.places.emplace_back(scan.map_from_robot, origin_, resolution_);
   scratch.changed.clear();
   scratch.batch.begin(cells_, evidence_);
-  for (std::size_t i = 0; i < scans.size(); ++i) {
-    scratch.raster.build(*scans[i].shape, scratch.places[i]);
-    if (scratch.batch.add(scratch.raster)) continue;
+  try {
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+      scratch.raster.build(*scans[i].shape, scratch.places[i]);
+      if (scratch.batch.add(scratch.raster)) continue;
+      scratch.batch.finish(cells_, scratch.changed);
+      scratch.batch.add(scratch.raster);
+    }
     scratch.batch.finish(cells_, scratch.changed);
-    scratch.batch.add(scratch.raster);
+  } catch (...) {  // what has been written so far keeps the field that belongs to it
+    field_.update(scratch.changed, cells_);
+    throw;
   }
-  scratch.batch.finish(cells_, scratch.changed);
   field_.update(scratch.changed, cells_);
 }
 

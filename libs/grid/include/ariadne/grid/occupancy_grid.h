@@ -42,9 +42,9 @@ class OccupancyGrid {
   void insert(const ScanShape& shape, const mrpt::math::TPose2D& map_from_robot);
   /// The same map, cell by cell, as insert() of one scan after the other; much faster where scans
   /// overlap, since what many scans saw free is counted and added at once, and the field is made
-  /// once. Throws core::Error when a pose is not finite, and then changes nothing; also when the
-  /// map would grow past all bounds, and then is valid but holds any part of the scans, and the
-  /// field of none of them.
+  /// once. Throws core::Error when a pose is not finite, and then changes nothing; also when a
+  /// shape is not finite or the map would grow past all bounds, and then may hold a part of the
+  /// scans.
   void insertMany(const std::vector<PlacedScan>& scans);
   /// Sets one cell; the field follows.
   void set(Cell c, std::int8_t log_odds);
