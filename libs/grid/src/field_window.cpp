@@ -40,14 +40,15 @@ void FieldWindow::build(const FieldKernel& kernel, const TiledPlane<std::int8_t>
                         int ty, int y0, int y1) {
   const int r = kernel.radius();
   const int beside = (r + kTileCells - 1) >> kTileBits;  // tiles that reach in from each side
-  tiles_.assign(static_cast<std::size_t>(2 * beside + 1), nullptr);
+  const std::size_t tiles = 2 * static_cast<std::size_t>(beside) + 1;
+  tiles_.assign(tiles, nullptr);
   occupied_.resize(tiles_.size() * kTileCells);
   reach_.resize(tiles_.size());
   for (int i = -beside; i <= beside; ++i) reach_[i + beside] = withinReach(i, r);
   first_row_ = y0 - r;
-  const auto rows = static_cast<std::size_t>(y1 - y0 + 2 * r);
-  spread_.resize(rows);
-  any_.resize(rows);
+  const int rows = y1 - y0 + 2 * r;
+  spread_.resize(static_cast<std::size_t>(rows));
+  any_.resize(static_cast<std::size_t>(rows));
   for (int y = y0 - r; y < y1 + r; ++y) {
     if (y == y0 - r || (y & (kTileCells - 1)) == 0)
       for (int i = -beside; i <= beside; ++i)

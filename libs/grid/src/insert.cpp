@@ -25,12 +25,13 @@ class TileFiller {
     if (tile) prefetch(tile->data());
     int y = 0;
     if (tile)
-      while (y < kTileCells && !lanes_.changes(tile->data() + y * kTileCells, mask.rows[y])) ++y;
+      while (y < kTileCells && !lanes_.changes(tile->data() + Plane::offset(0, y), mask.rows[y]))
+        ++y;
     if (y == kTileCells) return;
     std::int8_t* out = cells_.writeTile(tx, ty).data();
     BoxOfBits freed;
     for (; y < kTileCells; ++y)
-      if (mask.rows[y] != 0) freed.add(y, lanes_.add(out + y * kTileCells, mask.rows[y]));
+      if (mask.rows[y] != 0) freed.add(y, lanes_.add(out + Plane::offset(0, y), mask.rows[y]));
     if (!freed.empty()) freed_.push_back(freed.inTile(tx, ty));
     if (full && holdsOnly(out, kMostFree)) cells_.setUniform(tx, ty, kMostFree);
   }

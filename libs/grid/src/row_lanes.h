@@ -115,7 +115,7 @@ class FreeLanes {
 /// True when all cells of the tile hold `value`.
 inline bool holdsOnly(const std::int8_t* tile, std::int8_t value) {
   int y = 0;
-  while (y < kTileCells && allAre(tile + y * kTileCells, value)) ++y;
+  while (y < kTileCells && allAre(tile + TiledPlane<std::int8_t>::offset(0, y), value)) ++y;
   return y == kTileCells;
 }
 

@@ -18,8 +18,8 @@ CellBox joined(const CellBox& a, const CellBox& b) {
 BoxOfBits occupancyChange(const std::int8_t* before, const std::int8_t* after) {
   BoxOfBits box;
   for (int y = 0; y < kTileCells; ++y)
-    box.add(
-        y, (before ? occupiedOf(before + y * kTileCells) : 0) ^ occupiedOf(after + y * kTileCells));
+    box.add(y, (before ? occupiedOf(before + TiledPlane<std::int8_t>::offset(0, y)) : 0) ^
+                   occupiedOf(after + TiledPlane<std::int8_t>::offset(0, y)));
   return box;
 }
 
@@ -123,7 +123,7 @@ void ScanBatch::settle(OpenTile& tile) const {
       const FreeLanes lanes(static_cast<std::int8_t>(std::min(amount, int{kMostFree})));
       for (int y = 0; y < kTileCells; ++y)
         if (const std::uint32_t cells = tile.counts[y / 4].planes[k][y % 4])
-          lanes.add(&tile.cells[y * kTileCells], cells);
+          lanes.add(&tile.cells[TiledPlane<std::int8_t>::offset(0, y)], cells);
     }
   }
   tile.counts = {};

@@ -6,6 +6,7 @@
 // trying every occupied cell near a freed one took a third of a run. Whatever the order of changes,
 // the field depends on the set of occupied cells alone.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -30,7 +31,7 @@ class FieldKernel {
   std::uint8_t at(int dx, int dy) const { return row(dy)[dx]; }
   /// Pointer to the middle of row dy; past the radius a tile's width of zeros follows on each side.
   const std::uint8_t* row(int dy) const {
-    return square_.data() + (dy + radius_) * stride_ + radius_ + kTileCells;
+    return square_.data() + std::ptrdiff_t{dy + radius_} * stride_ + radius_ + kTileCells;
   }
   /// Rounded product of two values along the axes; 255 stands for 1.
   static constexpr std::uint8_t product(unsigned a, unsigned b) {
