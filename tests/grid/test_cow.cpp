@@ -37,6 +37,20 @@ TEST(Cow, AWriteLeavesTheOtherHolderAsItWas) {
   EXPECT_EQ(*b.get(), 2);
 }
 
+TEST(Cow, AssigningLeavesTheOtherHolderAsItWas) {
+  Cow<Counted> a;
+  a.assign({});
+  const Counted* before = a.get();
+  a.assign({});
+  EXPECT_EQ(a.get(), before);
+  const Cow<Counted> b = a;
+  Counted seven;
+  seven.value = 7;
+  a.assign(seven);
+  EXPECT_EQ(a.get()->value, 7);
+  EXPECT_EQ(b.get()->value, 0);
+}
+
 TEST(Cow, ASoleHolderIsNotCopied) {
   Cow<Counted> a;
   a.write();

@@ -49,6 +49,22 @@ TEST(LikelihoodField, FollowsSingleCells) {
   expectFieldAsDefined(map, params);
 }
 
+// In a field this wide the cell beside an occupied one holds 255 too, and was once taken for
+// occupied already: the field depended on the order of changes.
+TEST(LikelihoodField, AWideFieldReachesAsFarFromEveryCell) {
+  grid::GridParams params;
+  params.resolution_m = 0.01;
+  params.field_sigma_m = 0.2;
+  const grid::FieldKernel kernel(20);
+  ASSERT_EQ(kernel.along(1), 255);
+  OccupancyGrid map(params);
+  map.set({0, 0}, -10);
+  map.set({1, 0}, -10);
+  EXPECT_GT(kernel.along(kernel.radius()), 0);
+  EXPECT_EQ(map.fieldAt({1 + kernel.radius(), 0}), kernel.along(kernel.radius()));
+  EXPECT_EQ(map.fieldAt({-kernel.radius(), 0}), kernel.along(kernel.radius()));
+}
+
 TEST(LikelihoodField, KernelIsAGaussianToHalfAStep) {
   const double sigma = 2;
   const grid::FieldKernel kernel(sigma);

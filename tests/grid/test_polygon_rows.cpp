@@ -4,7 +4,7 @@
 #include <set>
 
 #include "ariadne/core/random.h"
-#include "ariadne/grid/polygon_rows.h"
+#include "polygon_rows.h"
 
 using ariadne::grid::PolygonRows;
 using mrpt::math::TPoint2D;

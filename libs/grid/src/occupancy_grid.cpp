@@ -33,7 +33,7 @@ void OccupancyGrid::set(Cell c, std::int8_t log_odds) {
   if (before == log_odds) return;
   cells_.set(c.x, c.y, log_odds);
   if (before >= 0 && log_odds < 0) field_.occupy(c);
-  if (before < 0 && log_odds >= 0) field_.release(c, cells_);
+  if (before < 0 && log_odds >= 0) field_.update({{c.x, c.y, c.x + 1, c.y + 1}}, cells_);
 }
 
 CellBox OccupancyGrid::knownBox() const {

@@ -55,6 +55,11 @@ typename TiledPlane<T>::Tile& TiledPlane<T>::writeTile(int tx, int ty) {
 }
 
 template <class T>
+void TiledPlane<T>::setTile(int tx, int ty, const Tile& cells) {
+  slotForWriting(tx, ty).assign(cells);
+}
+
+template <class T>
 Cow<typename TiledPlane<T>::Tile>& TiledPlane<T>::slotForWriting(int tx, int ty) {
   const int bx = tx >> kBlockBits;
   const int by = ty >> kBlockBits;

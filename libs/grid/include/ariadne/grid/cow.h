@@ -39,6 +39,14 @@ class Cow {
     return node_->value;
   }
 
+  /// Holds a value of its own from here on; what was shared is not copied first.
+  void assign(const T& value) {
+    if (node_ && node_->holders.load(std::memory_order_acquire) == 1)
+      node_->value = value;
+    else
+      *this = Cow(new Node(value));
+  }
+
   /// True when both hold the very same value in memory.
   friend bool sameObject(const Cow& a, const Cow& b) { return a.node_ == b.node_; }
 

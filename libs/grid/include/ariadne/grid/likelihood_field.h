@@ -3,8 +3,10 @@
 // Robotics, 6.4). Tiles without a wall nearby take no memory.
 //
 // The Gaussian is a product of one along x and one along y, so a window is rebuilt in two passes;
-// trying every occupied cell near a freed one took a third of a run.
+// trying every occupied cell near a freed one took a third of a run. Whatever the order of changes,
+// the field depends on the set of occupied cells alone.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -24,14 +26,12 @@ class FieldKernel {
   explicit FieldKernel(double sigma_cells);
   int radius() const { return radius_; }
   /// Value `distance` cells away along one axis, 0..255.
-  std::uint8_t along(int distance) const { return line()[distance]; }
-  /// Pointer to the middle of the values along one axis: [-radius, radius].
-  const std::uint8_t* line() const { return line_.data() + radius_; }
+  std::uint8_t along(int distance) const { return line_[radius_ + distance]; }
   /// What an occupied cell gives a cell (dx, dy) away.
   std::uint8_t at(int dx, int dy) const { return row(dy)[dx]; }
-  /// Pointer to the middle of row dy.
+  /// Pointer to the middle of row dy; past the radius a tile's width of zeros follows on each side.
   const std::uint8_t* row(int dy) const {
-    return square_.data() + (dy + radius_) * (2 * radius_ + 1) + radius_;
+    return square_.data() + std::ptrdiff_t{dy + radius_} * stride_ + radius_ + kTileCells;
   }
   /// Rounded product of two values along the axes; 255 stands for 1.
   static constexpr std::uint8_t product(unsigned a, unsigned b) {
@@ -41,6 +41,7 @@ class FieldKernel {
 
  private:
   int radius_;
+  int stride_;
   std::vector<std::uint8_t> line_;
   std::vector<std::uint8_t> square_;
 };
@@ -54,13 +55,15 @@ class LikelihoodField {
   const TiledPlane<std::uint8_t>& plane() const { return plane_; }
   /// Cell (x, y) turned occupied.
   void occupy(Cell cell);
-  /// Cell (x, y) is no longer occupied; `log_odds` is the map after the change.
-  void release(Cell cell, const TiledPlane<std::int8_t>& log_odds);
+  /// Any cells in these boxes turned occupied or ceased to be; `log_odds` is the map after it all.
+  void update(const std::vector<CellBox>& changed, const TiledPlane<std::int8_t>& log_odds);
   void clear() { plane_.clear(); }
 
  private:
+  using Plane = TiledPlane<std::uint8_t>;
+  void stamp(Cell cell, int tx, int ty);
   std::shared_ptr<const FieldKernel> kernel_;
-  TiledPlane<std::uint8_t> plane_;
+  Plane plane_;
 };
 
 }  // namespace ariadne::grid

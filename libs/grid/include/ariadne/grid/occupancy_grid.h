@@ -12,6 +12,12 @@
 
 namespace ariadne::grid {
 
+/// A scan and where it was taken.
+struct PlacedScan {
+  const ScanShape* shape = nullptr;  ///< not null; it may be one of many maps' at once
+  mrpt::math::TPose2D map_from_robot;
+};
+
 class OccupancyGrid {
  public:
   /// Throws core::UsageError when a parameter is out of bounds.
@@ -34,6 +40,12 @@ class OccupancyGrid {
   /// a beam ended in the evidence for occupied once and none for free. All saturate.
   /// Throws core::Error when the pose is not finite or the map would grow past all bounds.
   void insert(const ScanShape& shape, const mrpt::math::TPose2D& map_from_robot);
+  /// The same map, cell by cell, as insert() of one scan after the other; much faster where scans
+  /// overlap, since what many scans saw free is counted and added at once, and the field is made
+  /// once. Throws core::Error when a pose is not finite, and then changes nothing; also when a
+  /// shape is not finite or the map would grow past all bounds, and then may hold a part of the
+  /// scans.
+  void insertMany(const std::vector<PlacedScan>& scans);
   /// Sets one cell; the field follows.
   void set(Cell c, std::int8_t log_odds);
 

@@ -48,6 +48,8 @@ class TiledPlane {
   /// Tile for writing; made when missing, copied when shared. Throws core::Error when the plane
   /// would span more than kMaxBlocks.
   Tile& writeTile(int tx, int ty);
+  /// Gives the tile new cells, all of them; throws as writeTile() does.
+  void setTile(int tx, int ty, const Tile& cells);
   /// Makes the tile one of uniform value, which all planes share and which takes no memory.
   void setUniform(int tx, int ty, T value);
   /// The value of a tile that setUniform() made; nothing for any other, whatever its cells hold.

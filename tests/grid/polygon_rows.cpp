@@ -1,4 +1,4 @@
-#include "ariadne/grid/polygon_rows.h"
+#include "polygon_rows.h"
 
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// The tests' reference for what lies inside an outline; the grid itself converts to bits.
 // Scanline conversion of a polygon: for each row of cells, the spans whose cell centres lie inside
 // (even-odd rule). Each cell is named once, however many beams pass it.
 #pragma once
