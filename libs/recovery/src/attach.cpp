@@ -35,8 +35,10 @@ Segment segmentOf(const filter::AncestorPtr& leaf, std::size_t te) {
 
 grid::OccupancyGrid mapAtTe(const SavedEntry& entry, const std::vector<grid::ScanShape>& shapes) {
   grid::OccupancyGrid map = entry.checkpoint->map;
+  std::vector<grid::PlacedScan> scans;
   for (const Ancestor* a : nodesAfter(entry.at_te, entry.checkpoint->step))
-    map.insert(shapes[a->step()], a->pose());
+    scans.push_back({&shapes[a->step()], a->pose()});
+  map.insertMany(scans);
   return map;
 }
 
@@ -48,15 +50,19 @@ filter::Particle attach(const SavedEntry& entry, const grid::OccupancyGrid& map_
   p.checkpoints = entry.checkpoint;
   p.map = map_at_te;
   std::size_t step = entry.at_te->step();
+  std::vector<grid::PlacedScan> scans;  // not inserted yet
   for (std::size_t k = 0; k < segment.te_from_robot.size(); ++k) {
     const auto pose = models::compose(entry.at_te->pose(), segment.te_from_robot[k]);
     ++step;
     p.ancestor = std::make_shared<Ancestor>(p.ancestor, step, pose, segment.log_weight[k]);
-    p.map.insert(shapes[step], pose);
-    if (step % checkpoint_updates == 0)
-      p.checkpoints =
-          std::make_shared<filter::Checkpoint>(filter::Checkpoint{step, p.map, p.checkpoints});
+    scans.push_back({&shapes[step], pose});
+    if (step % checkpoint_updates != 0) continue;
+    p.map.insertMany(scans);
+    scans.clear();
+    p.checkpoints =
+        std::make_shared<filter::Checkpoint>(filter::Checkpoint{step, p.map, p.checkpoints});
   }
+  p.map.insertMany(scans);
   p.map_from_robot = p.ancestor->pose();
   return p;
 }
