@@ -13,6 +13,7 @@
 #include "ariadne/io/tum.h"
 #include "ariadne/io/whole_file.h"
 #include "ariadne/report/overview.h"
+#include "loops_json.h"
 #include "steps_csv.h"
 
 namespace ariadne::slam_app {
@@ -64,6 +65,12 @@ const std::vector<Output>& allOutputs() {
        false,
        [](const fs::path& file, const Material& m) {
          io::writeWhole(file, stepsCsv(m.result.record.reports));
+       }},
+      {{"loops.json"},
+       "each loop: detection, entry, what was saved, what recovery brought back",
+       false,
+       [](const fs::path& file, const Material& m) {
+         io::writeWhole(file, loopsJson(m.result.closings, m.result.record.reports));
        }},
       {{"config.ini"}, "all parameters of this run, each explained", false, writeConfig},
       {{"overview.png"},

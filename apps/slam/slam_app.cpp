@@ -4,6 +4,7 @@
 #include <fmt/ostream.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <filesystem>
@@ -13,6 +14,7 @@
 #include "ariadne/io/ini_writer.h"
 #include "ariadne/io/output_folder.h"
 #include "config.h"
+#include "loops_json.h"
 #include "mapping.h"
 #include "options.h"
 #include "outputs.h"
@@ -37,6 +39,12 @@ void printResult(std::ostream& out, const RunResult& result) {
   const MappingRecord& record = result.record;
   fmt::print(out, "{} scans over {:.0f} m, {} filter updates, in {:.2f} s\n",
              record.odometry.size(), lengthOf(result.path), record.reports.size(), record.total_s);
+  const auto count = [&](auto&& has) {
+    return std::count_if(result.closings.begin(), result.closings.end(), has);
+  };
+  fmt::print(out, "Loops: {} detected, {} closed, {} followed by a recovery of diversity\n",
+             result.closings.size(), count([](const auto& c) { return !!c.closing.entered; }),
+             count([](const auto& c) { return !!c.recovery; }));
 }
 
 /// Maps and writes. Returns the exit code.
@@ -74,10 +82,14 @@ int mapDataset(const Options& options, ResolvedConfig resolved, std::ostream& ou
   result.config = config;
   result.stages = mapper.times();
   result.path = mapper.path();
+  result.closings = mapper.closings();
   result.counts = source->counts();
   result.laser_label = source->laserLabel();
   result.warnings = resolved.warnings;
   for (const std::string& w : source->warnings()) result.warnings.push_back(w);
+  const std::vector<std::string> of_loops = loopWarnings(result.closings);
+  warn(err, of_loops);
+  result.warnings.insert(result.warnings.end(), of_loops.begin(), of_loops.end());
 
   std::ostream nowhere(nullptr);
   std::ostream& told = options.quiet ? nowhere : out;

@@ -42,6 +42,16 @@ Json filterFigures(const std::vector<slam::StepReport>& reports) {
       {"matches_accepted_share", share(static_cast<double>(accepted), static_cast<double>(tried))}};
 }
 
+Json loopFigures(const std::vector<slam::ClosingRecord>& closings) {
+  std::size_t entered = 0;
+  std::size_t recovered = 0;
+  for (const slam::ClosingRecord& c : closings) {
+    entered += c.closing.entered ? 1 : 0;
+    recovered += c.recovery ? 1 : 0;
+  }
+  return {{"detected", closings.size()}, {"closed", entered}, {"recovered", recovered}};
+}
+
 Json datasetFigures(const RunResult& r) {
   const models::Trajectory& odometry = r.record.odometry;
   const double duration_s = odometry.empty() ? 0 : odometry.back().time_s - odometry.front().time_s;
@@ -68,6 +78,7 @@ Json costs(const RunResult& r, double writing_s) {
            {{"reading", r.record.reading_s},
             {"predict_match_weigh_resample", r.stages.predict_s},
             {"insert", r.stages.insert_s},
+            {"loops", r.stages.loops_s},
             {"reading_and_mapping", mapping_s},
             {"writing", writing_s}}},
           {"scans_per_s",
@@ -109,6 +120,7 @@ std::string summaryJson(const RunResult& result, double writing_s,
       {"threads", core::Parallel(result.config.run.threads).threads()},
       {"dataset", datasetFigures(result)},
       {"filter", filterFigures(result.record.reports)},
+      {"loops", loopFigures(result.closings)},
       {"path_length_m", lengthOf(result.path)},
       {"costs", costs(result, writing_s)},
       {"warnings", result.warnings},

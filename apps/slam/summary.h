@@ -14,6 +14,7 @@ struct RunResult {
   SlamConfig config;
   MappingRecord record;
   slam::StageTimes stages;
+  std::vector<slam::ClosingRecord> closings;
   models::Trajectory path;  ///< of s*, one pose a scan
   io::DatasetCounts counts;
   std::string laser_label;

@@ -94,9 +94,9 @@ std::optional<InnerLoop> innerOf(const slam::Mapper& mapper, const models::Traje
   for (const slam::ClosingRecord& record : mapper.closings()) {
     if (!record.recovery) continue;
     const double time = update_times[record.closing.opportunity.te];
-    const auto at = std::lower_bound(
-        truth.begin(), truth.end(), time,
-        [](const models::StampedPose& p, double t) { return p.time_s < t; });
+    const auto at =
+        std::lower_bound(truth.begin(), truth.end(), time,
+                         [](const models::StampedPose& p, double t) { return p.time_s < t; });
     return innerOf(record, mapper.path().front().pose,
                    models::relativePose(truth.front().pose, at->pose));
   }

@@ -12,10 +12,10 @@ namespace ariadne::experiment {
 
 /// How one arm ended.
 struct ArmResult {
-  bool exists = false;  ///< some particle is correct
-  bool chosen = false;  ///< s* is correct
-  double correct_weight = 0;        ///< of the correct particles together
-  double worst_translation_m = 0;   ///< of s*, across the true loop closures
+  bool exists = false;             ///< some particle is correct
+  bool chosen = false;             ///< s* is correct
+  double correct_weight = 0;       ///< of the correct particles together
+  double worst_translation_m = 0;  ///< of s*, across the true loop closures
   double worst_heading_deg = 0;
   double best_translation_m = 0;  ///< least worst_translation_m of all particles
   double ate_m = 0;               ///< RMSE of s* after alignment
@@ -28,11 +28,11 @@ struct InnerLoop {
   double existed_error_m = 0;
   double saved_error_m = 0;
   double left_error_m = 0;
-  double survivors = 0;      ///< distinct saved over distinct that existed at te
+  double survivors = 0;            ///< distinct saved over distinct that existed at te
   std::size_t distinct_left = 0;   ///< of the saved ancestors at te, before recovery
   std::size_t distinct_saved = 0;  ///< and after it
-  double kl_saved_nats = 0;  ///< KL(true at te || saved), eval::KernelParams' defaults
-  double kl_left_nats = 0;   ///< KL(true at te || set before recovery as of te)
+  double kl_saved_nats = 0;        ///< KL(true at te || saved), eval::KernelParams' defaults
+  double kl_left_nats = 0;         ///< KL(true at te || set before recovery as of te)
   double lost_mass = 0;
   double neff_slope_per_m = 0;  ///< of ln Neff within the closing, resamplings apart
   double resamplings = 0;       ///< within the closing

@@ -1,0 +1,134 @@
+#include "loops_app.h"
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <optional>
+#include <ostream>
+
+#include "ariadne/core/error.h"
+#include "ariadne/experiment/loop_config.h"
+#include "ariadne/experiment/loop_table.h"
+#include "ariadne/io/ini_fields.h"
+#include "ariadne/io/ini_text.h"
+#include "ariadne/io/whole_file.h"
+
+namespace ariadne {
+namespace {
+
+namespace fs = std::filesystem;
+using experiment::LoopRow;
+
+constexpr const char* kFooter =
+    "A run that is in OUT already is not done again, and each is written when it is done: a "
+    "stopped "
+    "experiment goes on.\n"
+    "Examples:\n"
+    "  ariadne-loop-experiment run ini/experiments/nested.ini rows.csv --laps 10 --first 1 --last "
+    "60\n"
+    "  ariadne-loop-experiment table rows.csv";
+
+struct Arguments {
+  std::string ini;
+  std::string rows;
+  std::vector<std::string> tables;
+  std::vector<std::string> settings;
+  std::optional<int> laps;
+  std::uint64_t first = 1;
+  std::uint64_t last = 10;
+};
+
+experiment::LoopConfig configOf(const Arguments& args) {
+  experiment::LoopConfig config;
+  io::applyIni(config, io::parseIni(io::readIniText(args.ini), args.ini, io::IniDialect::strict));
+  const fs::path folder = fs::path(args.ini).parent_path();
+  config.files.world = (folder / config.files.world).string();
+  config.files.path = (folder / config.files.path).string();
+  for (const std::string& setting : args.settings) io::setField(config, io::parseSetting(setting));
+  return config;
+}
+
+std::vector<LoopRow> rowsSoFar(const fs::path& file) {
+  std::error_code ignored;
+  return fs::exists(file, ignored) ? experiment::readRows(file) : std::vector<LoopRow>();
+}
+
+void runAll(const Arguments& args, std::ostream& err) {
+  if (args.last < args.first) throw core::UsageError("--last is before --first");
+  const experiment::LoopConfig config = configOf(args);
+  const sim::World world = sim::readWorld(config.files.world);
+  const sim::DrivePath path = sim::readPath(config.files.path, args.laps);
+  const std::string name = fs::path(config.files.path).stem().string();
+  const int laps = path.has_laps_block ? path.laps : 0;
+  std::vector<LoopRow> rows = rowsSoFar(args.rows);
+  const sim::TruthDrive truth = sim::driveThrough(world, path, config.sim.drive);
+  for (std::uint64_t seed = args.first; seed <= args.last; ++seed) {
+    const bool done = std::any_of(rows.begin(), rows.end(), [&](const LoopRow& r) {
+      return r.name == name && r.laps == laps && r.seed == seed;
+    });
+    if (done) continue;
+    const auto result =
+        experiment::runLoop(truth, config.sim.noise, config.slam, config.correct, seed);
+    rows.push_back({name, laps, seed, result});
+    io::writeWhole(args.rows, experiment::toCsv(rows));
+    fmt::print(err, "{}, {} laps, seed {} of {}: recovery {:.2f} m, standard {:.2f} m\n", name,
+               laps, seed, args.last, result.recovered.worst_translation_m,
+               result.standard.worst_translation_m);
+  }
+}
+
+void printTable(const Arguments& args, std::ostream& out) {
+  std::vector<LoopRow> rows;
+  for (const std::string& file : args.tables)
+    for (LoopRow& row : experiment::readRows(file)) rows.push_back(std::move(row));
+  out << experiment::loopTable(rows);
+}
+
+int run(std::vector<std::string> args, std::ostream& out, std::ostream& err) {
+  CLI::App app(
+      "The nested-loop experiment of the paper: every seed is one simulated drive, mapped "
+      "with recovery of particle diversity and without.",
+      "ariadne-loop-experiment");
+  app.require_subcommand(1);
+  app.footer(kFooter);
+  Arguments a;
+  CLI::App* run = app.add_subcommand("run", "Paired runs, added to a CSV file");
+  run->add_option("INI", a.ini, "experiment, as ini/experiments/*.ini")->required();
+  run->add_option("OUT", a.rows, "CSV file of the rows")->required();
+  run->add_option("--laps", a.laps, "of the inner loop, where the drive has some");
+  run->add_option("--first", a.first, "first seed")->capture_default_str();
+  run->add_option("--last", a.last, "last seed")->capture_default_str();
+  run->add_option("--set", a.settings, "section.key=value, over the INI")->allow_extra_args(false);
+  CLI::App* table = app.add_subcommand("table", "Rates with intervals, tests and losses, Markdown");
+  table->add_option("ROWS", a.tables, "CSV files")->required();
+  try {
+    std::reverse(args.begin(), args.end());
+    app.parse(args);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0) return app.exit(e, out, err);
+    throw core::UsageError(std::string(e.what()) + " (see --help)");
+  }
+  if (*run)
+    runAll(a, err);
+  else
+    printTable(a, out);
+  return 0;
+}
+
+}  // namespace
+
+int runLoopsApp(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
+  try {
+    return run(args, out, err);
+  } catch (const core::UsageError& e) {
+    fmt::print(err, "ariadne-loop-experiment: {}\n", e.what());
+    return 2;
+  } catch (const std::exception& e) {
+    fmt::print(err, "ariadne-loop-experiment: {}\n", e.what());
+    return 1;
+  }
+}
+
+}  // namespace ariadne

@@ -1,0 +1,54 @@
+// Walks the lines of many particles towards the root at once, step by step, and visits each
+// ancestor once however many descend from it: N lines of T steps cost the number of distinct
+// ancestors, not more.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "ariadne/filter/ancestry.h"
+
+namespace ariadne::eval {
+
+class AncestorLevels {
+ public:
+  struct Entry {
+    const filter::Ancestor* node = nullptr;
+    double weight = 0;  ///< sum over the leaves that descend from the node
+  };
+
+  /// Stands at the leaves' latest step. Null leaves have no ancestors and are left out. The leaves
+  /// must outlive the walk.
+  /// @param weights one a leaf (core::Error when not), or none for weight 0
+  explicit AncestorLevels(const std::vector<filter::AncestorPtr>& leaves,
+                          const std::vector<double>& weights = {});
+
+  /// True when the walk is above all roots.
+  bool done() const { return level_.empty(); }
+  std::size_t step() const { return step_; }
+  /// The distinct ancestors at step(); the leaves themselves where they are of that step.
+  const std::vector<Entry>& level() const { return level_; }
+  /// On to the next earlier step at which there is an ancestor.
+  void up();
+
+ private:
+  void meet(const filter::Ancestor* node, double weight);
+  void takeLatest();
+
+  std::vector<Entry> frontier_;  // distinct, one or more a line, of any step
+  std::vector<Entry> level_;     // those of the latest step
+  std::size_t step_ = 0;
+  std::vector<Entry> next_;
+  // Where in next_ a node is: open addressing, and slots of earlier rounds count as empty, so that
+  // nothing is cleared between the steps.
+  struct Slot {
+    const filter::Ancestor* node = nullptr;
+    std::uint32_t round = 0;
+    std::uint32_t index = 0;
+  };
+  std::vector<Slot> slots_;
+  std::uint32_t round_ = 0;
+  int shift_ = 0;
+};
+
+}  // namespace ariadne::eval

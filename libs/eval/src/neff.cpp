@@ -1,0 +1,14 @@
+#include "ariadne/eval/neff.h"
+
+#include "ariadne/eval/weighted_poses.h"
+
+namespace ariadne::eval {
+
+double neff(const std::vector<double>& weights) {
+  checkWeights(weights);
+  double squares = 0;
+  for (const double w : weights) squares += w * w;
+  return 1 / squares;
+}
+
+}  // namespace ariadne::eval
