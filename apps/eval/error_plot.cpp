@@ -12,65 +12,16 @@
 #include "ariadne/core/error.h"
 #include "ariadne/io/whole_file.h"
 #include "ariadne/models/motion_model.h"
+#include "ariadne/report/axes.h"
 
 namespace ariadne::eval_app {
 namespace {
 
+using report::Axes;
+using report::drawAxes;
+
 constexpr double kWidth = 1000;
 constexpr double kHeight = 1120;
-
-/// A rectangle of the page with its range of values; y grows upwards in values, downwards on paper.
-struct Axes {
-  double left, top, width, height;
-  double x0, x1, y0, y1;
-  double x(double v) const { return left + (v - x0) / (x1 - x0) * width; }
-  double y(double v) const { return top + height - (v - y0) / (y1 - y0) * height; }
-};
-
-/// 1, 2 or 5 times a power of ten: about six steps over the span.
-double tickStep(double span) {
-  const double rough = span / 6;
-  const double decade = std::pow(10, std::floor(std::log10(rough)));
-  for (const double f : {1.0, 2.0, 5.0})
-    if (f * decade >= rough) return f * decade;
-  return 10 * decade;
-}
-
-void text(cairo_t* cr, double x, double y, const std::string& s, double align) {
-  cairo_text_extents_t size;
-  cairo_text_extents(cr, s.c_str(), &size);
-  cairo_move_to(cr, x - align * size.width, y);
-  cairo_show_text(cr, s.c_str());
-  cairo_new_path(cr);  // else the next line begins at the text's end
-}
-
-void drawAxes(cairo_t* cr, const Axes& a, const char* x_label, const char* y_label) {
-  cairo_set_line_width(cr, 1);
-  const double x_step = tickStep(a.x1 - a.x0);
-  const double y_step = tickStep(a.y1 - a.y0);
-  const auto line = [&](double xa, double ya, double xb, double yb) {
-    cairo_move_to(cr, xa, ya);
-    cairo_line_to(cr, xb, yb);
-    cairo_stroke(cr);
-  };
-  for (double v = std::ceil(a.x0 / x_step) * x_step; v <= a.x1; v += x_step) {
-    cairo_set_source_rgb(cr, 0.88, 0.88, 0.88);
-    line(a.x(v), a.top, a.x(v), a.top + a.height);
-    cairo_set_source_rgb(cr, 0.2, 0.2, 0.2);
-    text(cr, a.x(v), a.top + a.height + 18, fmt::format("{:g}", std::abs(v) < x_step / 2 ? 0 : v),
-         0.5);
-  }
-  for (double v = std::ceil(a.y0 / y_step) * y_step; v <= a.y1; v += y_step) {
-    cairo_set_source_rgb(cr, 0.88, 0.88, 0.88);
-    line(a.left, a.y(v), a.left + a.width, a.y(v));
-    cairo_set_source_rgb(cr, 0.2, 0.2, 0.2);
-    text(cr, a.left - 8, a.y(v) + 4, fmt::format("{:g}", std::abs(v) < y_step / 2 ? 0 : v), 1);
-  }
-  cairo_rectangle(cr, a.left, a.top, a.width, a.height);
-  cairo_stroke(cr);
-  text(cr, a.left + a.width / 2, a.top + a.height + 38, x_label, 0.5);
-  text(cr, a.left, a.top - 8, y_label, 0);
-}
 
 /// Green over yellow to red.
 void setErrorColour(cairo_t* cr, double share) {
@@ -144,10 +95,10 @@ void draw(cairo_t* cr, const TruthResult& r) {
   cairo_set_source_rgb(cr, 0.1, 0.1, 0.1);
   cairo_select_font_face(cr, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_font_size(cr, 16);
-  text(cr, kWidth / 2, 26,
-       fmt::format("ATE {:.3f} m RMSE, {:.3f} m at the most, {} poses", r.absolute_m.rmse,
-                   r.absolute_m.max, r.absolute_m.count),
-       0.5);
+  report::drawAligned(cr, kWidth / 2, 26,
+                      fmt::format("ATE {:.3f} m RMSE, {:.3f} m at the most, {} poses",
+                                  r.absolute_m.rmse, r.absolute_m.max, r.absolute_m.count),
+                      0.5);
   cairo_set_font_size(cr, 13);
   drawTrajectories(cr, r);
   drawErrorOverTime(cr, r);

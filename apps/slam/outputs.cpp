@@ -13,6 +13,7 @@
 #include "ariadne/io/tum.h"
 #include "ariadne/io/whole_file.h"
 #include "ariadne/report/overview.h"
+#include "loop_pictures.h"
 #include "loops_json.h"
 #include "steps_csv.h"
 
@@ -79,6 +80,16 @@ const std::vector<Output>& allOutputs() {
        [](const fs::path& file, const Material& m) {
          report::writeOverview(file, m.map, m.result.path);
        }},
+      {{"topology.png"},
+       "the graph of places over the map, with the loops that were closed",
+       true,
+       [](const fs::path& file, const Material& m) {
+         writeTopologyPicture(file, m.mapper, m.map);
+       }},
+      {{"coalescence.png"},
+       "unique ancestors at every past update: where hypotheses were lost and recovered",
+       true,
+       [](const fs::path& file, const Material& m) { writeCoalescencePicture(file, m.mapper); }},
       {{"map.png"},
        "the map as a plain picture",
        true,
@@ -103,10 +114,17 @@ const std::vector<Output>& allOutputs() {
 
 constexpr const char* kSummary = "summary.json";
 
+bool isAboutLoops(const Output& o) {
+  const std::string& name = o.names.front();
+  return name == "loops.json" || name == "topology.png" || name == "coalescence.png";
+}
+
 std::vector<Output> outputsOf(const SlamConfig& config) {
   std::vector<Output> chosen;
   for (const Output& o : allOutputs())
-    if (config.run.pictures || !o.is_picture) chosen.push_back(o);
+    if ((config.run.pictures || !o.is_picture) &&
+        (config.slam.loop_closing.enabled || !isAboutLoops(o)))
+      chosen.push_back(o);
   return chosen;
 }
 

@@ -175,7 +175,8 @@ void LoopCloser::recover(std::size_t name, filter::ParticleSet& particles, const
   record.contradiction = std::move(set.contradiction);
   particles.replace(std::move(set.particles), set.weights);
   graphs_ = std::move(set.graphs);
-  record.distinct_after = filter::distinctAncestors(leavesOf(particles), saved->te);
+  record.after = leavesOf(particles);
+  record.distinct_after = filter::distinctAncestors(record.after, saved->te);
   record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   extra.recovery = std::move(record);
 }

@@ -35,6 +35,7 @@ struct RecoveryRecord {
   double seconds = 0;                       ///< wall clock
   std::vector<filter::AncestorPtr> before;  ///< the set that was replaced
   std::vector<double> weights_before;
+  std::vector<filter::AncestorPtr> after;  ///< and the one that came
 };
 
 struct ClosingRecord {

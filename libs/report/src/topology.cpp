@@ -1,0 +1,86 @@
+#include "ariadne/report/topology.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "map_picture.h"
+
+namespace ariadne::report {
+namespace {
+
+using Ways = std::vector<std::pair<std::size_t, std::size_t>>;
+
+void drawWays(cairo_t* cr, const View& view, const DrawnGraph& graph, const Ways& ways) {
+  for (const auto& [a, b] : ways) {
+    cairo_move_to(cr, view.x(graph.places[a].x), view.y(graph.places[a].y));
+    cairo_line_to(cr, view.x(graph.places[b].x), view.y(graph.places[b].y));
+    cairo_stroke(cr);
+  }
+}
+
+void drawDisc(cairo_t* cr, double x, double y, double radius) {
+  cairo_new_path(cr);
+  cairo_arc(cr, x, y, radius, 0, 2 * M_PI);
+  cairo_fill(cr);
+}
+
+void setWay(cairo_t* cr) { cairo_set_source_rgb(cr, 0.75, 0.1, 0.1); }
+void setShortcut(cairo_t* cr) { cairo_set_source_rgb(cr, 0.1, 0.3, 0.85); }
+
+/// A numbered disc beside the entry point.
+void drawEntry(cairo_t* cr, double x, double y, std::size_t number) {
+  setShortcut(cr);
+  drawDisc(cr, x, y, 9);
+  cairo_set_source_rgb(cr, 1, 1, 1);
+  const std::string text = fmt::format("{}", number);
+  cairo_text_extents_t size;
+  cairo_text_extents(cr, text.c_str(), &size);
+  cairo_move_to(cr, x - size.width / 2 - size.x_bearing, y + size.height / 2);
+  cairo_show_text(cr, text.c_str());
+  cairo_new_path(cr);
+}
+
+void drawLegend(MapPicture& picture, const DrawnGraph& graph) {
+  cairo_t* cr = picture.context();
+  const double y = picture.textLine() - 5;
+  double x =
+      picture.drawText(picture.view().margin, fmt::format("{}, G of the best particle: {} places",
+                                                          picture.sizeText(), graph.places.size()));
+  x += 16;
+  const auto sample = [&](void (*colour)(cairo_t*), const char* text) {
+    colour(cr);
+    cairo_move_to(cr, x, y);
+    cairo_line_to(cr, x + 22, y);
+    cairo_stroke(cr);
+    x = picture.drawText(x + 28, text) + 16;
+  };
+  cairo_set_line_width(cr, 3);
+  sample(setWay, "way");
+  sample(setShortcut, "closes a cycle");
+  drawEntry(cr, x + 9, y, 1);
+  picture.drawText(x + 24, "entry");
+}
+
+}  // namespace
+
+void writeTopology(const std::filesystem::path& file, const mrpt::maps::COccupancyGridMap2D& map,
+                   const DrawnGraph& graph) {
+  MapPicture picture(file, map);
+  cairo_t* cr = picture.context();
+  const View& view = picture.view();
+  setWay(cr);
+  cairo_set_line_width(cr, 2);
+  drawWays(cr, view, graph, graph.ways);
+  for (const auto& p : graph.places) drawDisc(cr, view.x(p.x), view.y(p.y), 3.5);
+  setShortcut(cr);
+  cairo_set_line_width(cr, 3);
+  drawWays(cr, view, graph, graph.shortcuts);
+  for (std::size_t i = 0; i < graph.entries.size(); ++i)
+    drawEntry(cr, view.x(graph.entries[i].x), view.y(graph.entries[i].y), i + 1);
+  picture.drawScaleBar();
+  drawLegend(picture, graph);
+  picture.write();
+}
+
+}  // namespace ariadne::report
