@@ -165,7 +165,7 @@ TEST_F(SlamApp, QuietPrintsNothingAndPicturesCanBeLeftOut) {
   EXPECT_EQ(out + err, "");
   EXPECT_FALSE(fs::exists(folder / "out/map.png"));
   EXPECT_FALSE(fs::exists(folder / "out/overview.png"));
-  EXPECT_EQ(filesIn(folder / "out"), kFiles.size() - 2);
+  EXPECT_EQ(filesIn(folder / "out"), kFiles.size() - 4);
 }
 
 TEST_F(SlamApp, TakesStockInis) {

@@ -54,7 +54,8 @@ void drawMoment(cairo_t* cr, const Axes& a, const Moment& m, std::size_t number)
   cairo_stroke(cr);
   cairo_set_dash(cr, nullptr, 0, 0);
   // Names side by side would lie over each other.
-  drawAligned(cr, a.x(m.x) + 4, a.top + 14 + 14 * static_cast<double>(number % 6), m.name, 0);
+  drawAligned(cr, a.x(m.x) + 4, a.top + a.height / 2 + 16 * static_cast<double>(number % 6), m.name,
+              0);
 }
 
 void drawLegend(cairo_t* cr, const CurveChart& chart, double y) {

@@ -44,9 +44,8 @@ void drawEntry(cairo_t* cr, double x, double y, std::size_t number) {
 void drawLegend(MapPicture& picture, const DrawnGraph& graph) {
   cairo_t* cr = picture.context();
   const double y = picture.textLine() - 5;
-  double x =
-      picture.drawText(picture.view().margin, fmt::format("{}, G of the best particle: {} places",
-                                                          picture.sizeText(), graph.places.size()));
+  double x = picture.drawText(
+      picture.view().margin, fmt::format("{}, {} places", picture.sizeText(), graph.places.size()));
   x += 16;
   const auto sample = [&](void (*colour)(cairo_t*), const char* text) {
     colour(cr);

@@ -1,0 +1,48 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "ariadne/core/error.h"
+#include "ariadne/experiment/loop_table.h"
+
+using namespace ariadne;
+using experiment::LoopRow;
+
+namespace {
+
+std::vector<LoopRow> rows() {
+  std::vector<LoopRow> all;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    LoopRow row{"ring", 10, seed, {}};
+    row.result.recovered.chosen = row.result.recovered.exists = true;
+    row.result.standard.chosen = seed == 1;
+    row.result.standard.worst_translation_m = 1.0 / 3;
+    if (seed != 4) row.result.inner = experiment::InnerLoop{0.1, 0.2, 0.3, 0.5, 1, 16, 0.4, 7, 0};
+    all.push_back(row);
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST(LoopRows, ReadBackToTheSameBytes) {
+  const auto file = std::filesystem::temp_directory_path() /
+                    ("ariadne-rows-" + std::to_string(::getpid()) + ".csv");
+  const std::string csv = experiment::toCsv(rows());
+  std::ofstream(file) << csv;
+  EXPECT_EQ(experiment::toCsv(experiment::readRows(file)), csv);
+  std::ofstream(file) << csv << "ring,10\n";
+  EXPECT_THROW(experiment::readRows(file), core::Error);
+  std::ofstream(file) << "a,b\n";
+  EXPECT_THROW(experiment::readRows(file), core::Error);
+  std::filesystem::remove(file);
+}
+
+TEST(LoopTable, HasRatesIntervalsAndTheTest) {
+  const std::string table = experiment::loopTable(rows());
+  EXPECT_NE(table.find("| ring | 10 | 1/10 (10 % [2-40])"), std::string::npos) << table;
+  EXPECT_NE(table.find("10/10 (100 % [72-100])"), std::string::npos) << table;
+  EXPECT_NE(table.find("| 9 / 0 | 0.0039 |"), std::string::npos) << "2 / 2^9";
+  EXPECT_NE(table.find("| ring | 10 | 9 | 0.50 | 1.00, 16.00 |"), std::string::npos) << table;
+}

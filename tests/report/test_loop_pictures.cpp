@@ -1,0 +1,68 @@
+#include <gtest/gtest.h>
+#include <mrpt/img/CImage.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "ariadne/core/error.h"
+#include "ariadne/report/curves.h"
+#include "ariadne/report/topology.h"
+
+namespace fs = std::filesystem;
+using namespace ariadne;
+
+namespace {
+
+const fs::path kFile =
+    fs::temp_directory_path() / ("ariadne-loops-" + std::to_string(::getpid()) + ".png");
+
+/// Pixels of about this colour, shares of red, green and blue.
+std::size_t pixelsOf(const fs::path& file, double r, double g, double b) {
+  const auto image = mrpt::img::CImage::LoadFromFile(file.string());
+  std::size_t n = 0;
+  for (unsigned y = 0; y < image.getHeight(); ++y)
+    for (unsigned x = 0; x < image.getWidth(); ++x) {
+      const auto close = [&](int channel, double share) {
+        return std::abs(*image(x, y, channel) - 255 * share) < 4;
+      };
+      n += close(2, r) && close(1, g) && close(0, b);
+    }
+  fs::remove(file);
+  return n;
+}
+
+mrpt::maps::COccupancyGridMap2D room() {
+  mrpt::maps::COccupancyGridMap2D map(0, 10, 0, 8, 0.1f);
+  map.fill(0.9f);
+  return map;
+}
+
+}  // namespace
+
+TEST(TopologyPicture, ShowsWaysShortcutsAndEntries) {
+  report::DrawnGraph g;
+  g.places = {{1, 1}, {8, 1}, {8, 6}, {1, 6}};
+  g.ways = {{0, 1}, {1, 2}, {2, 3}};
+  report::writeTopology(kFile, room(), g);
+  const auto red = pixelsOf(kFile, 0.75, 0.1, 0.1);
+  report::writeTopology(kFile, room(), g);
+  const auto legend = pixelsOf(kFile, 0.1, 0.3, 0.85);
+  g.shortcuts = {{3, 0}};
+  g.entries = {{1, 1}};
+  report::writeTopology(kFile, room(), g);
+  EXPECT_GT(red, 1000U);
+  EXPECT_GT(pixelsOf(kFile, 0.1, 0.3, 0.85), legend + 500) << "5 m of blue line";
+}
+
+TEST(CurvesPicture, ShowsEachCurve) {
+  report::CurveChart chart{"t", "x", "y", {{"a", {0, 5, 10}, {1, 9, 3}}}, {{"here", 5}}};
+  report::writeCurves(kFile, chart);
+  EXPECT_GT(pixelsOf(kFile, 0, 0.45, 0.70), 500U);
+  chart.curves[0].y.pop_back();
+  EXPECT_THROW(report::writeCurves(kFile, chart), core::Error);
+  chart.curves.clear();
+  report::writeCurves(kFile, chart);
+  EXPECT_TRUE(fs::exists(kFile));
+  EXPECT_THROW(report::writeCurves("/nowhere/at/all.png", chart), core::Error);
+  fs::remove(kFile);
+}
