@@ -59,23 +59,29 @@ void PlaceGraph::arriveAt(std::uint32_t place, double way_m) {
         {from, place, static_cast<float>(way_m), static_cast<std::uint32_t>(visits_.size())});
 }
 
+bool PlaceGraph::observesAny(const TPoint2D& position, const grid::OccupancyGrid& map,
+                             double range_m) const {
+  if (visits_.empty()) return false;
+  const auto observes = [&](const Place& p) {
+    return distance(p.position, position) <= range_m && grid::inSight(map, position, p.position);
+  };
+  if (observes(places_[visits_.back().place])) return true;  // mostly
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    if (observes(places_[i])) return true;
+  return false;
+}
+
 void PlaceGraph::extend(const TPoint2D& position, const grid::OccupancyGrid& map,
                         const PlaceParams& params) {
   const double travelled =
       visits_.empty() ? 0 : visits_.back().stub_m + distance(visits_.back().position, position);
-  const double range = std::max(params.place_range_m, params.visit_radius_m);
-  bool observable = false;
-  for (const Near& near : placesNear(places_, position, range)) {
+  for (const Near& near : placesNear(places_, position, params.visit_radius_m)) {
     if (!grid::inSight(map, position, places_[near.place].position)) continue;
-    if (near.distance_m <= params.visit_radius_m) {
-      arriveAt(near.place, travelled + near.distance_m);
-      visits_.push_back({near.place, true, static_cast<float>(near.distance_m), position});
-      return;
-    }
-    observable |= near.distance_m <= params.place_range_m;
-    break;  // the others are farther still
+    arriveAt(near.place, travelled + near.distance_m);
+    visits_.push_back({near.place, true, static_cast<float>(near.distance_m), position});
+    return;
   }
-  if (observable && travelled < params.place_spacing_m) {
+  if (travelled < params.place_spacing_m && observesAny(position, map, params.place_range_m)) {
     visits_.push_back({visits_.back().place, false, static_cast<float>(travelled), position});
     return;
   }

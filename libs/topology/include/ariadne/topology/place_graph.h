@@ -64,6 +64,8 @@ class PlaceGraph {
  private:
   void arriveAt(std::uint32_t place, double way_m);
   void make(const mrpt::math::TPoint2D& position);
+  bool observesAny(const mrpt::math::TPoint2D& position, const grid::OccupancyGrid& map,
+                   double range_m) const;
   bool joined(std::uint32_t a, std::uint32_t b) const;
 
   SharedList<Place> places_;
