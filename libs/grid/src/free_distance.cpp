@@ -31,19 +31,33 @@ class Clearance {
   /// reach_ + 1.
   void rowDistances(const OccupancyGrid& map, Cell corner, int y) {
     std::uint8_t* row = &nearest_[static_cast<std::size_t>(y) * side_];
-    const auto far = static_cast<std::uint8_t>(reach_ + 1);
-    const auto next = [&](int d) { return static_cast<std::uint8_t>(std::min(d + 1, int{far})); };
-    const auto free = [&](int x) { return map.at({corner.x + x, corner.y + y}) > 0; };
+    const std::vector<std::uint8_t> free = freeRow(map, corner.x - reach_, corner.y + y);
+    const int far = reach_ + 1;
+    const int last = side_ + 2 * reach_;
     int d = far;
-    for (int i = -reach_; i < side_; ++i) {
-      d = free(i) ? next(d) : 0;
-      if (i >= 0) row[i] = static_cast<std::uint8_t>(d);
+    for (int i = 0; i < last - reach_; ++i) {
+      d = free[i] ? std::min(d + 1, far) : 0;
+      if (i >= reach_) row[i - reach_] = static_cast<std::uint8_t>(d);
     }
     d = far;
-    for (int i = side_ + reach_; i-- > 0;) {
-      d = free(i) ? next(d) : 0;
-      if (i < side_) row[i] = static_cast<std::uint8_t>(std::min<int>(d, row[i]));
+    for (int i = last; i-- > reach_;) {
+      d = free[i] ? std::min(d + 1, far) : 0;
+      if (i < last - reach_)
+        row[i - reach_] = static_cast<std::uint8_t>(std::min<int>(d, row[i - reach_]));
     }
+  }
+  /// Whether cells are free, from x0 on; tiles are looked up once, not cell by cell.
+  std::vector<std::uint8_t> freeRow(const OccupancyGrid& map, int x0, int y) const {
+    std::vector<std::uint8_t> free(static_cast<std::size_t>(side_ + 2 * reach_), 0);
+    const int x1 = x0 + side_ + 2 * reach_;
+    for (int x = x0; x < x1;) {
+      const int end = std::min(x1, ((x >> kTileBits) + 1) << kTileBits);
+      if (const auto* tile = map.cells().tile(x >> kTileBits, y >> kTileBits))
+        for (int i = x; i < end; ++i)
+          free[i - x0] = (*tile)[TiledPlane<std::int8_t>::offset(i, y)] > 0;
+      x = end;
+    }
+    return free;
   }
   void spread(int from_row, int to_row, int dx) {
     const std::uint8_t* from = &nearest_[static_cast<std::size_t>(from_row) * side_];
@@ -76,7 +90,7 @@ FreeDistance::FreeDistance(const OccupancyGrid& map, const mrpt::math::TPoint2D&
   for (int y = 1; y < side_ - 1; ++y)
     for (int x = 1; x < side_ - 1; ++x) {
       const int i = y * side_ + x;
-      const bool leaving = std::hypot(x - half, y - half) <= reach;
+      const bool leaving = std::abs(x - half) <= reach && std::hypot(x - half, y - half) <= reach;
       open_[i] = leaving ? map.at({corner_.x + x, corner_.y + y}) > 0 : !clearance.blocked()[i];
     }
   units_.assign(open_.size(), -1);

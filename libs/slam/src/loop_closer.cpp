@@ -78,10 +78,13 @@ LoopCloser::LoopCloser(const SlamParams& params, const core::Parallel& parallel)
       stack_(params.recovery.memory_budget_mb) {}
 
 void LoopCloser::extendGraphs(const filter::ParticleSet& particles) {
-  std::vector<topology::PlaceGraph> next(particles.size());
-  if (!graphs_.empty())
-    for (std::size_t i = 0; i < next.size(); ++i) next[i] = graphs_[particles.parents()[i]];
-  graphs_ = std::move(next);
+  if (graphs_.empty()) {
+    graphs_.resize(particles.size());
+  } else if (particles.figures().resampled) {
+    std::vector<topology::PlaceGraph> next;
+    for (const std::size_t parent : particles.parents()) next.push_back(graphs_[parent]);
+    graphs_ = std::move(next);
+  }
   parallel_.forEach(particles.size(), [&](std::size_t i) {
     const filter::Particle& p = particles[i];
     graphs_[i].extend({p.map_from_robot.x, p.map_from_robot.y}, p.map, params_.loop_closing.places);
