@@ -14,6 +14,7 @@
 #include "ariadne/io/ini_fields.h"
 #include "ariadne/io/ini_text.h"
 #include "ariadne/io/whole_file.h"
+#include "neff_chart.h"
 
 namespace ariadne {
 namespace {
@@ -28,7 +29,8 @@ constexpr const char* kFooter =
     "Examples:\n"
     "  ariadne-loop-experiment run ini/experiments/nested.ini rows.csv --laps 10 --first 1 --last "
     "60\n"
-    "  ariadne-loop-experiment table rows.csv";
+    "  ariadne-loop-experiment table rows.csv\n"
+    "  ariadne-loop-experiment neff ini/experiments/nested.ini neff.png --laps 4";
 
 struct Arguments {
   std::string ini;
@@ -79,6 +81,15 @@ void runAll(const Arguments& args, std::ostream& err) {
   }
 }
 
+void drawNeff(const Arguments& args, std::ostream& out) {
+  const experiment::LoopConfig config = configOf(args);
+  const sim::World world = sim::readWorld(config.files.world);
+  const sim::DrivePath path = sim::readPath(config.files.path, args.laps);
+  loops_app::writeNeffChart(args.rows, config, sim::driveThrough(world, path, config.sim.drive),
+                            args.first);
+  fmt::print(out, "{}: Neff over the drive, plain and with the revisit weights\n", args.rows);
+}
+
 void printTable(const Arguments& args, std::ostream& out) {
   std::vector<LoopRow> rows;
   for (const std::string& file : args.tables)
@@ -94,13 +105,19 @@ int run(std::vector<std::string> args, std::ostream& out, std::ostream& err) {
   app.require_subcommand(1);
   app.footer(kFooter);
   Arguments a;
+  const auto addDrive = [&](CLI::App* sub, const char* about_out, const char* about_seed) {
+    sub->add_option("INI", a.ini, "experiment, as ini/experiments/*.ini")->required();
+    sub->add_option("OUT", a.rows, about_out)->required();
+    sub->add_option("--laps", a.laps, "of the inner loop, where the drive has some");
+    sub->add_option("--first", a.first, about_seed)->capture_default_str();
+    sub->add_option("--set", a.settings, "section.key=value, over the INI")
+        ->allow_extra_args(false);
+  };
   CLI::App* run = app.add_subcommand("run", "Paired runs, added to a CSV file");
-  run->add_option("INI", a.ini, "experiment, as ini/experiments/*.ini")->required();
-  run->add_option("OUT", a.rows, "CSV file of the rows")->required();
-  run->add_option("--laps", a.laps, "of the inner loop, where the drive has some");
-  run->add_option("--first", a.first, "first seed")->capture_default_str();
+  addDrive(run, "CSV file of the rows", "first seed");
   run->add_option("--last", a.last, "last seed")->capture_default_str();
-  run->add_option("--set", a.settings, "section.key=value, over the INI")->allow_extra_args(false);
+  CLI::App* neff = app.add_subcommand("neff", "Picture of Neff over one drive");
+  addDrive(neff, "PNG to write", "the seed");
   CLI::App* table = app.add_subcommand("table", "Rates with intervals, tests and losses, Markdown");
   table->add_option("ROWS", a.tables, "CSV files")->required();
   try {
@@ -112,6 +129,8 @@ int run(std::vector<std::string> args, std::ostream& out, std::ostream& err) {
   }
   if (*run)
     runAll(a, err);
+  else if (*neff)
+    drawNeff(a, out);
   else
     printTable(a, out);
   return 0;
