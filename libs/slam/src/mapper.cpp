@@ -170,6 +170,28 @@ std::unique_ptr<Mapper> Mapper::forkWithoutRecovery() const {
   return other;
 }
 
+void Mapper::collapseTo(std::size_t particle) {
+  const std::size_t n = impl_->particles.size();
+  const filter::Particle one = impl_->particles[particle];
+  impl_->particles.replace(std::vector<filter::Particle>(n, one),
+                           std::vector<double>(n, 1.0 / static_cast<double>(n)));
+  if (!graphs().empty())
+    impl_->loops.setGraphs(std::vector<topology::PlaceGraph>(n, graphs()[particle]));
+}
+
+void Mapper::gatherBest(const std::vector<std::unique_ptr<Mapper>>& others,
+                        const std::vector<double>& weights) {
+  std::vector<filter::Particle> particles;
+  std::vector<topology::PlaceGraph> of_each;
+  for (const auto& other : others) {
+    const std::size_t best = other->particles().best();
+    particles.push_back(other->particles()[best]);
+    if (!graphs().empty()) of_each.push_back(other->graphs()[best]);
+  }
+  impl_->particles.replace(std::move(particles), weights);
+  impl_->loops.setGraphs(std::move(of_each));
+}
+
 void Mapper::onRecovery(std::function<void()> before) {
   impl_->before_recovery = std::move(before);
 }

@@ -31,6 +31,8 @@ class LoopCloser {
 
   /// G of every particle.
   const std::vector<topology::PlaceGraph>& graphs() const { return graphs_; }
+  /// For particles that were replaced from outside; one a particle.
+  void setGraphs(std::vector<topology::PlaceGraph> graphs) { graphs_ = std::move(graphs); }
   /// All closings so far, open ones too.
   std::vector<ClosingRecord> records() const;
   /// From now on closings end without recovery.

@@ -46,6 +46,13 @@ class Mapper {
   /// never recovers: the other arm of a paired run.
   std::unique_ptr<Mapper> forkWithoutRecovery() const;
 
+  /// All particles become copies of this one: a filter of its own for one hypothesis (the oracle).
+  void collapseTo(std::size_t particle);
+  /// The particles become the s* of the others, one each, with these weights (sum 1). The others
+  /// must have processed the same steps, and be as many as the particles.
+  void gatherBest(const std::vector<std::unique_ptr<Mapper>>& others,
+                  const std::vector<double>& weights);
+
   /// The map of s*, as MRPT's grid.
   mrpt::maps::COccupancyGridMap2D map() const;
   /// The path of s*: one pose (map_from_robot) for every step that was processed; between filter

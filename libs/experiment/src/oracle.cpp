@@ -1,0 +1,84 @@
+#include "ariadne/experiment/oracle.h"
+
+#include <memory>
+
+#include "ariadne/eval/kl_divergence.h"
+#include "ariadne/slam/mapper.h"
+#include "judge.h"
+
+namespace ariadne::experiment {
+namespace {
+
+using Steps = std::vector<models::SensorStep>;
+
+eval::WeightedPoses posesOf(const slam::Mapper& mapper) {
+  eval::WeightedPoses set;
+  set.weights = mapper.particles().weights();
+  for (std::size_t i = 0; i < mapper.particles().size(); ++i)
+    set.poses.push_back(mapper.particles()[i].map_from_robot);
+  return set;
+}
+
+/// Both arms at the end of the first closing that is recovered, and where in the drive that is.
+struct FirstLoop {
+  std::unique_ptr<slam::Mapper> recovered;
+  std::unique_ptr<slam::Mapper> standard;
+  std::size_t te = 0;    // filter update
+  std::size_t next = 0;  // step to go on with
+};
+
+std::optional<FirstLoop> driveToTheEnd(const Steps& steps, const slam::SlamParams& params) {
+  FirstLoop loop;
+  loop.recovered = std::make_unique<slam::Mapper>(params, 1);
+  loop.recovered->onRecovery([&] {
+    if (!loop.standard) loop.standard = loop.recovered->forkWithoutRecovery();
+  });
+  while (loop.next < steps.size() && !loop.standard) loop.recovered->process(steps[loop.next++]);
+  if (!loop.standard) return std::nullopt;
+  for (const slam::ClosingRecord& r : loop.recovered->closings())
+    if (r.recovery) loop.te = r.closing.opportunity.te;
+  return loop;
+}
+
+/// The suspended filter at te, each particle carried through the loop by a filter of its own.
+std::unique_ptr<slam::Mapper> oracleThrough(const Steps& steps, const slam::SlamParams& params,
+                                            const FirstLoop& loop) {
+  auto suspended = std::make_unique<slam::Mapper>(params, 1);
+  std::size_t i = 0;
+  while (suspended->updates() <= loop.te) suspended->process(steps[i++]);
+  const std::vector<double> weights = suspended->particles().weights();
+  std::vector<std::unique_ptr<slam::Mapper>> own;
+  for (std::size_t p = 0; p < weights.size(); ++p) {
+    own.push_back(suspended->forkWithoutRecovery());
+    own.back()->collapseTo(p);
+    for (std::size_t k = i; k < loop.next; ++k) own.back()->process(steps[k]);
+  }
+  auto gathered = own.front()->forkWithoutRecovery();
+  gathered->gatherBest(own, weights);
+  return gathered;
+}
+
+}  // namespace
+
+std::optional<OracleResult> runOracle(const sim::TruthDrive& drive, const sim::NoiseParams& noise,
+                                      const slam::SlamParams& params,
+                                      const eval::CorrectBounds& bounds, std::uint64_t seed) {
+  const sim::SimulatedDrive seen = sim::observe(drive, noise, seed);
+  slam::SlamParams seeded = params;
+  seeded.filter.seed = seed;
+  const auto loop = driveToTheEnd(seen.steps, seeded);
+  if (!loop) return std::nullopt;
+  const auto oracle = oracleThrough(seen.steps, seeded, *loop);
+
+  OracleResult result;
+  result.kl_recovered_nats = eval::divergence(posesOf(*oracle), posesOf(*loop->recovered)).kl_nats;
+  result.kl_standard_nats = eval::divergence(posesOf(*oracle), posesOf(*loop->standard)).kl_nats;
+  for (slam::Mapper* mapper : {oracle.get(), loop->recovered.get(), loop->standard.get()})
+    for (std::size_t k = loop->next; k < seen.steps.size(); ++k) mapper->process(seen.steps[k]);
+  result.oracle = judge(*oracle, seen.truth, bounds);
+  result.recovered = judge(*loop->recovered, seen.truth, bounds);
+  result.standard = judge(*loop->standard, seen.truth, bounds);
+  return result;
+}
+
+}  // namespace ariadne::experiment
