@@ -51,7 +51,7 @@ class Clearance {
     std::vector<std::uint8_t> free(static_cast<std::size_t>(side_ + 2 * reach_), 0);
     const int x1 = x0 + side_ + 2 * reach_;
     for (int x = x0; x < x1;) {
-      const int end = std::min(x1, ((x >> kTileBits) + 1) << kTileBits);
+      const int end = std::min(x1, ((x >> kTileBits) + 1) * kTileCells);
       if (const auto* tile = map.cells().tile(x >> kTileBits, y >> kTileBits))
         for (int i = x; i < end; ++i)
           free[i - x0] = (*tile)[TiledPlane<std::int8_t>::offset(i, y)] > 0;
