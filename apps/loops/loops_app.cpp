@@ -11,6 +11,7 @@
 #include "ariadne/core/error.h"
 #include "ariadne/experiment/loop_config.h"
 #include "ariadne/experiment/loop_table.h"
+#include "ariadne/experiment/oracle.h"
 #include "ariadne/io/ini_fields.h"
 #include "ariadne/io/ini_text.h"
 #include "ariadne/io/whole_file.h"
@@ -90,6 +91,25 @@ void drawNeff(const Arguments& args, std::ostream& out) {
   fmt::print(out, "{}: Neff over the drive, plain and with the revisit weights\n", args.rows);
 }
 
+/// A CSV line a seed.
+void printOracle(const Arguments& args, std::ostream& out) {
+  const experiment::LoopConfig config = configOf(args);
+  const sim::World world = sim::readWorld(config.files.world);
+  const sim::DrivePath path = sim::readPath(config.files.path, args.laps);
+  const sim::TruthDrive truth = sim::driveThrough(world, path, config.sim.drive);
+  out << "seed,oracle_chosen,recovered_chosen,standard_chosen,oracle_ate_m,recovered_ate_m,"
+         "standard_ate_m,kl_recovered_nats,kl_standard_nats\n";
+  for (std::uint64_t seed = args.first; seed <= args.last; ++seed) {
+    const auto r =
+        experiment::runOracle(truth, config.sim.noise, config.slam, config.correct, seed);
+    if (!r) throw core::Error(fmt::format("seed {}: no loop was recovered", seed));
+    fmt::print(out, "{},{:d},{:d},{:d},{:.3f},{:.3f},{:.3f},{:.2f},{:.2f}\n", seed,
+               r->oracle.chosen, r->recovered.chosen, r->standard.chosen, r->oracle.ate_m,
+               r->recovered.ate_m, r->standard.ate_m, r->kl_recovered_nats, r->kl_standard_nats);
+    out.flush();
+  }
+}
+
 void printTable(const Arguments& args, std::ostream& out) {
   std::vector<LoopRow> rows;
   for (const std::string& file : args.tables)
@@ -107,7 +127,7 @@ int run(std::vector<std::string> args, std::ostream& out, std::ostream& err) {
   Arguments a;
   const auto addDrive = [&](CLI::App* sub, const char* about_out, const char* about_seed) {
     sub->add_option("INI", a.ini, "experiment, as ini/experiments/*.ini")->required();
-    sub->add_option("OUT", a.rows, about_out)->required();
+    if (about_out) sub->add_option("OUT", a.rows, about_out)->required();
     sub->add_option("--laps", a.laps, "of the inner loop, where the drive has some");
     sub->add_option("--first", a.first, about_seed)->capture_default_str();
     sub->add_option("--set", a.settings, "section.key=value, over the INI")
@@ -118,6 +138,11 @@ int run(std::vector<std::string> args, std::ostream& out, std::ostream& err) {
   run->add_option("--last", a.last, "last seed")->capture_default_str();
   CLI::App* neff = app.add_subcommand("neff", "Picture of Neff over one drive");
   addDrive(neff, "PNG to write", "the seed");
+  CLI::App* oracle = app.add_subcommand(
+      "oracle",
+      "The first loop with one filter a particle next to the recovery; CSV, small worlds");
+  addDrive(oracle, nullptr, "first seed");
+  oracle->add_option("--last", a.last, "last seed")->capture_default_str();
   CLI::App* table = app.add_subcommand("table", "Rates with intervals, tests and losses, Markdown");
   table->add_option("ROWS", a.tables, "CSV files")->required();
   try {
@@ -129,6 +154,8 @@ int run(std::vector<std::string> args, std::ostream& out, std::ostream& err) {
   }
   if (*run)
     runAll(a, err);
+  else if (*oracle)
+    printOracle(a, out);
   else if (*neff)
     drawNeff(a, out);
   else
