@@ -18,6 +18,11 @@ constexpr double kContradicts = 0.2;  // share of beams in what the older map ha
 Json definitions() {
   const eval::KernelParams k;
   return {
+      {"distinct_ancestors",
+       "nodes of the ancestry at te, told apart by identity. A recovery makes nodes of their own "
+       "for "
+       "each way it draws, equal or not: where te lies within the way of an earlier recovery this, "
+       "and what is made of it, counts copies of one hypothesis as several"},
       {"survivors_fraction",
        "distinct ancestors at te of the saved set over the distinct hypotheses there were at te"},
       {"kl_nats",

@@ -103,7 +103,7 @@ TEST_F(SlamLoops, SavedAndRecoveredSetsAreTold) {
   }
   EXPECT_GE(recoveries, 1U);
   EXPECT_EQ(loops["recovered"], recoveries);
-  for (const char* name : {"survivors_fraction", "kl_nats", "lost_mass"})
+  for (const char* name : {"distinct_ancestors", "survivors_fraction", "kl_nats", "lost_mass"})
     EXPECT_TRUE(loops["definitions"].contains(name)) << name;
 }
 
