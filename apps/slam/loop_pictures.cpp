@@ -1,5 +1,7 @@
 #include "loop_pictures.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "ariadne/eval/ancestry_measures.h"
@@ -11,13 +13,35 @@ namespace {
 
 report::Curve coalescence(const std::string& name, const std::vector<filter::AncestorPtr>& leaves,
                           std::size_t updates) {
-  report::Curve curve{name, {}, {}};
+  report::Curve curve;
+  curve.name = name;
   const auto unique = eval::uniqueAncestors(leaves, updates);
   for (std::size_t k = 0; k < unique.size(); ++k) {
     curve.x.push_back(static_cast<double>(k));
     curve.y.push_back(static_cast<double>(unique[k]));
   }
   return curve;
+}
+
+/// What there was just before the recovery (and would have been left without it), dashed, and just
+/// after, in one colour.
+void addRecovery(report::CurveChart& chart, const slam::ClosingRecord& c) {
+  const slam::RecoveryRecord& r = *c.recovery;
+  const std::size_t colour = chart.curves.size() / 2 + 1;
+  const auto add = [&](const char* when, const std::vector<filter::AncestorPtr>& leaves) {
+    chart.curves.push_back(
+        coalescence(fmt::format("{} recovery {}", when, c.closing.name), leaves, r.update + 1));
+    chart.curves.back().colour = colour;
+  };
+  add("before", r.before);
+  chart.curves.back().dashed = true;
+  add("after", r.after);
+  const auto mark = [&](const char* what, std::size_t update) {
+    chart.moments.push_back(
+        {fmt::format("{} {}", what, c.closing.name), static_cast<double>(update)});
+  };
+  mark("te", c.closing.opportunity.te);
+  mark("recovery", r.update);
 }
 
 }  // namespace
@@ -34,31 +58,23 @@ void writeTopologyPicture(const std::filesystem::path& file, const slam::Mapper&
   });
   for (const slam::ClosingRecord& c : mapper.closings())
     if (c.closing.entered)
-      drawn.entries.push_back(g.places()[g.visits()[c.closing.opportunity.te].place].position);
+      drawn.entries.push_back(
+          {g.places()[g.visits()[c.closing.opportunity.te].place].position, c.closing.name});
   report::writeTopology(file, map, drawn);
 }
 
 void writeCoalescencePicture(const std::filesystem::path& file, const slam::Mapper& mapper) {
   report::CurveChart chart;
-  chart.title = "Unique ancestors of the particle set";
+  // Recovery gives every way it draws nodes of its own, so that its curve is an upper bound.
+  chart.title = "Unique ancestors of the particle set (copies that a recovery made count apart)";
   chart.x_label = "filter update";
   chart.y_label = "ancestors at that update";
   std::vector<filter::AncestorPtr> leaves;
   for (std::size_t i = 0; i < mapper.particles().size(); ++i)
     leaves.push_back(mapper.particles()[i].ancestor);
   chart.curves.push_back(coalescence("of the final set", leaves, mapper.updates()));
-  const auto closings = mapper.closings();
-  const slam::ClosingRecord* last = nullptr;
-  for (const slam::ClosingRecord& c : closings)
-    if (c.recovery) last = &c;
-  if (last) {
-    const slam::RecoveryRecord& r = *last->recovery;
-    chart.curves.push_back(coalescence("before the last recovery", r.before, r.update + 1));
-    chart.curves.push_back(coalescence("after it", r.after, r.update + 1));
-    chart.moments = {{"te", static_cast<double>(last->closing.opportunity.te)},
-                     {"detection", static_cast<double>(last->closing.detected)},
-                     {"recovery", static_cast<double>(r.update)}};
-  }
+  for (const slam::ClosingRecord& c : mapper.closings())
+    if (c.recovery) addRecovery(chart, c);
   report::writeCurves(file, chart);
 }
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ariadne/eval/kl_divergence.h"
+#include "loop_counts.h"
 
 namespace ariadne::slam_app {
 namespace {
@@ -17,6 +18,11 @@ constexpr double kContradicts = 0.2;  // share of beams in what the older map ha
 Json definitions() {
   const eval::KernelParams k;
   return {
+      {"distinct_ancestors",
+       "nodes of the ancestry at te, told apart by identity. A recovery makes nodes of their own "
+       "for "
+       "each way it draws, equal or not: where te lies within the way of an earlier recovery this, "
+       "and what is made of it, counts copies of one hypothesis as several"},
       {"survivors_fraction",
        "distinct ancestors at te of the saved set over the distinct hypotheses there were at te"},
       {"kl_nats",
@@ -75,7 +81,16 @@ Json recoveryOf(const slam::RecoveryRecord& r) {
       {"seconds", r.seconds}};
 }
 
-Json closingOf(const slam::ClosingRecord& record, const std::vector<slam::StepReport>& reports) {
+/// Why x_te is where it is, Eq. (7) and (9), with the bounds of this run.
+std::string whyThere(std::size_t places, const topology::OpportunityParams& bounds) {
+  return fmt::format(
+      "{} with dist_m < c1 = {} m and dist_G > c2 = {} m: Eq. (7) and (9)",
+      places == 1 ? "the only place" : fmt::format("nearest by the map of {} places", places),
+      bounds.c1_m, bounds.c2_m);
+}
+
+Json closingOf(const slam::ClosingRecord& record, const std::vector<slam::StepReport>& reports,
+               const topology::OpportunityParams& bounds) {
   const closing::Closing& c = record.closing;
   Json detection = moment(c.detected, reports);
   detection["opportunities"] = c.opportunity.places;
@@ -90,23 +105,29 @@ Json closingOf(const slam::ClosingRecord& record, const std::vector<slam::StepRe
           {"entry",
            {{"x_m", c.entry_position.x},
             {"y_m", c.entry_position.y},
-            {"why", fmt::format("nearest by the map of the {} places of I(s*), Eq. (9)",
-                                c.opportunity.places)}}},
+            {"why", whyThere(c.opportunity.places, bounds)}}},
           {"entered", momentOrNull(c.entered, reports)},
           {"end", end},
           {"saved", record.saving ? savingOf(*record.saving) : Json()},
           {"neff_rule_m", orNull(c.neff_rule_m)},
           {"slope_rule_m", orNull(c.slope_rule_m)},
           {"recovery", record.recovery ? recoveryOf(*record.recovery) : Json()},
-          {"note", record.note}};
+          {"note", record.note.empty() ? Json() : Json(record.note)}};
 }
 
 }  // namespace
 
 std::string loopsJson(const std::vector<slam::ClosingRecord>& closings,
-                      const std::vector<slam::StepReport>& reports) {
-  Json json = {{"definitions", definitions()}, {"closings", Json::array()}};
-  for (const slam::ClosingRecord& c : closings) json["closings"].push_back(closingOf(c, reports));
+                      const std::vector<slam::StepReport>& reports,
+                      const topology::OpportunityParams& bounds) {
+  const LoopCounts n = countLoops(closings);
+  Json json = {{"definitions", definitions()},
+               {"detected", n.detected},
+               {"closed", n.closed},
+               {"recovered", n.recovered},
+               {"closings", Json::array()}};
+  for (const slam::ClosingRecord& c : closings)
+    json["closings"].push_back(closingOf(c, reports, bounds));
   return json.dump(2) + "\n";
 }
 

@@ -62,7 +62,7 @@ const std::vector<Output>& allOutputs() {
       {{"trajectory.tum"}, "the robot's path in the map, a pose at every scan", false, writePath},
       {{"odometry.tum"}, "the same by odometry alone", false, writeOdometry},
       {{"steps.csv"},
-       "each filter update: Neff, resampling, matches, likelihood",
+       "each filter update: Neff, matches, likelihood, loop state, unique ancestors",
        false,
        [](const fs::path& file, const Material& m) {
          io::writeWhole(file, stepsCsv(m.result.record.reports));
@@ -71,7 +71,8 @@ const std::vector<Output>& allOutputs() {
        "each loop: detection, entry, what was saved, what recovery brought back",
        false,
        [](const fs::path& file, const Material& m) {
-         io::writeWhole(file, loopsJson(m.result.closings, m.result.record.reports));
+         io::writeWhole(file, loopsJson(m.result.closings, m.result.record.reports,
+                                        m.result.config.slam.loop_closing.opportunity));
        }},
       {{"config.ini"}, "all parameters of this run, each explained", false, writeConfig},
       {{"overview.png"},

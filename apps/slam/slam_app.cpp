@@ -4,7 +4,6 @@
 #include <fmt/ostream.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <filesystem>
@@ -14,6 +13,7 @@
 #include "ariadne/io/ini_writer.h"
 #include "ariadne/io/output_folder.h"
 #include "config.h"
+#include "loop_counts.h"
 #include "loops_json.h"
 #include "mapping.h"
 #include "options.h"
@@ -39,12 +39,10 @@ void printResult(std::ostream& out, const RunResult& result) {
   const MappingRecord& record = result.record;
   fmt::print(out, "{} scans over {:.0f} m, {} filter updates, in {:.2f} s\n",
              record.odometry.size(), lengthOf(result.path), record.reports.size(), record.total_s);
-  const auto count = [&](auto&& has) {
-    return std::count_if(result.closings.begin(), result.closings.end(), has);
-  };
+  if (!result.config.slam.loop_closing.enabled) return;
+  const LoopCounts loops = countLoops(result.closings);
   fmt::print(out, "Loops: {} detected, {} closed, {} followed by a recovery of diversity\n",
-             result.closings.size(), count([](const auto& c) { return !!c.closing.entered; }),
-             count([](const auto& c) { return !!c.recovery; }));
+             loops.detected, loops.closed, loops.recovered);
 }
 
 /// Maps and writes. Returns the exit code.

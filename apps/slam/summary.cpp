@@ -9,6 +9,7 @@
 
 #include "ariadne/core/parallel.h"
 #include "ariadne/io/ini_writer.h"
+#include "loop_counts.h"
 
 namespace ariadne::slam_app {
 namespace {
@@ -43,13 +44,8 @@ Json filterFigures(const std::vector<slam::StepReport>& reports) {
 }
 
 Json loopFigures(const std::vector<slam::ClosingRecord>& closings) {
-  std::size_t entered = 0;
-  std::size_t recovered = 0;
-  for (const slam::ClosingRecord& c : closings) {
-    entered += c.closing.entered ? 1 : 0;
-    recovered += c.recovery ? 1 : 0;
-  }
-  return {{"detected", closings.size()}, {"closed", entered}, {"recovered", recovered}};
+  const LoopCounts n = countLoops(closings);
+  return {{"detected", n.detected}, {"closed", n.closed}, {"recovered", n.recovered}};
 }
 
 Json datasetFigures(const RunResult& r) {

@@ -9,12 +9,15 @@
 #include "ariadne/report/axes.h"
 #include "canvas.h"
 #include "encode.h"
+#include "moments.h"
 
 namespace ariadne::report {
 namespace {
 
 constexpr double kWidth = 1000;
 constexpr double kPlotHeight = 420;
+constexpr std::size_t kLegendColumns = 3;
+constexpr int kLegendRow = 20;  // pixels
 
 void setColour(cairo_t* cr, std::size_t i) {
   // Okabe and Ito's colours, told apart by the colour-blind too.
@@ -37,45 +40,36 @@ Axes axesOf(const CurveChart& chart) {
   return a;
 }
 
+/// Colour, width and dashes of curve i.
+void setPen(cairo_t* cr, const CurveChart& chart, std::size_t i, double width) {
+  const std::array<double, 2> dashes{7, 4};
+  setColour(cr, chart.curves[i].colour.value_or(i));
+  cairo_set_line_width(cr, width);
+  cairo_set_dash(cr, dashes.data(), chart.curves[i].dashed ? 2 : 0, 0);
+}
+
 void drawCurve(cairo_t* cr, const Axes& a, const Curve& curve) {
-  cairo_set_line_width(cr, 1.8);
   for (std::size_t i = 0; i < curve.x.size(); ++i)
     cairo_line_to(cr, a.x(curve.x[i]), a.y(curve.y[i]));
   cairo_stroke(cr);
 }
 
-void drawMoment(cairo_t* cr, const Axes& a, const Moment& m, std::size_t number) {
-  const std::array<double, 2> dashes{5, 4};
-  cairo_set_source_rgb(cr, 0.35, 0.35, 0.35);
-  cairo_set_line_width(cr, 1);
-  cairo_set_dash(cr, dashes.data(), 2, 0);
-  cairo_move_to(cr, a.x(m.x), a.top);
-  cairo_line_to(cr, a.x(m.x), a.top + a.height);
-  cairo_stroke(cr);
-  cairo_set_dash(cr, nullptr, 0, 0);
-  // Names side by side would lie over each other.
-  drawAligned(cr, a.x(m.x) + 4, a.top + a.height / 2 + 16 * static_cast<double>(number % 6), m.name,
-              0);
+int legendRows(const CurveChart& chart) {
+  return static_cast<int>((chart.curves.size() + kLegendColumns - 1) / kLegendColumns);
 }
 
-void drawLegend(cairo_t* cr, const CurveChart& chart, double y) {
-  double x = 70;
+void drawLegend(cairo_t* cr, const CurveChart& chart, double top) {
   for (std::size_t i = 0; i < chart.curves.size(); ++i) {
-    setColour(cr, i);
-    cairo_set_line_width(cr, 3);
+    const double x = 70 + 300 * static_cast<double>(i % kLegendColumns);
+    const double y = top + kLegendRow * static_cast<double>(i / kLegendColumns);
+    setPen(cr, chart, i, 3);
     cairo_move_to(cr, x, y - 4);
-    cairo_line_to(cr, x + 24, y - 4);
+    cairo_line_to(cr, x + 29, y - 4);
     cairo_stroke(cr);
     cairo_set_source_rgb(cr, 0.1, 0.1, 0.1);
-    cairo_text_extents_t size;
-    cairo_text_extents(cr, chart.curves[i].name.c_str(), &size);
-    drawAligned(cr, x + 30, y, chart.curves[i].name, 0);
-    x += 60 + size.width;
-    if (x > kWidth - 250) {
-      x = 70;
-      y += 20;
-    }
+    drawAligned(cr, x + 36, y, chart.curves[i].name, 0);
   }
+  cairo_set_dash(cr, nullptr, 0, 0);
 }
 
 void draw(cairo_t* cr, const CurveChart& chart) {
@@ -88,11 +82,13 @@ void draw(cairo_t* cr, const CurveChart& chart) {
   cairo_set_font_size(cr, 13);
   const Axes axes = axesOf(chart);
   drawAxes(cr, axes, chart.x_label.c_str(), chart.y_label.c_str());
-  for (std::size_t i = 0; i < chart.curves.size(); ++i) {
-    setColour(cr, i);
+  drawMomentLines(cr, axes, chart.moments);
+  for (std::size_t i = chart.curves.size(); i-- > 0;) {
+    setPen(cr, chart, i, 1.8);
     drawCurve(cr, axes, chart.curves[i]);
   }
-  for (std::size_t i = 0; i < chart.moments.size(); ++i) drawMoment(cr, axes, chart.moments[i], i);
+  cairo_set_dash(cr, nullptr, 0, 0);
+  drawMomentNames(cr, axes, chart.moments);
   drawLegend(cr, chart, axes.top + kPlotHeight + 66);
 }
 
@@ -103,10 +99,9 @@ void writeCurves(const std::filesystem::path& file, const CurveChart& chart) {
     if (c.x.size() != c.y.size())
       throw core::Error(fmt::format("cannot draw {}: curve {} has {} x for {} y", file.string(),
                                     c.name, c.x.size(), c.y.size()));
-  const int rows = static_cast<int>(chart.curves.size()) / 3;
-  const Surface surface(
-      cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(kWidth),
-                                 static_cast<int>(kPlotHeight) + 140 + 20 * rows));
+  const Surface surface(cairo_image_surface_create(
+      CAIRO_FORMAT_RGB24, static_cast<int>(kWidth),
+      static_cast<int>(kPlotHeight) + 140 + kLegendRow * std::max(legendRows(chart) - 1, 0)));
   const Context cr(cairo_create(surface.get()));
   draw(cr.get(), chart);
   if (cairo_status(cr.get()) != CAIRO_STATUS_SUCCESS)

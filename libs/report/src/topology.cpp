@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "map_picture.h"
@@ -28,17 +29,36 @@ void drawDisc(cairo_t* cr, double x, double y, double radius) {
 void setWay(cairo_t* cr) { cairo_set_source_rgb(cr, 0.75, 0.1, 0.1); }
 void setShortcut(cairo_t* cr) { cairo_set_source_rgb(cr, 0.1, 0.3, 0.85); }
 
-/// A numbered disc beside the entry point.
-void drawEntry(cairo_t* cr, double x, double y, std::size_t number) {
+constexpr double kEntryRadius = 9;
+
+/// A disc with a number in it.
+void drawEntry(cairo_t* cr, double x, double y, const std::string& text) {
   setShortcut(cr);
-  drawDisc(cr, x, y, 9);
+  drawDisc(cr, x, y, kEntryRadius);
   cairo_set_source_rgb(cr, 1, 1, 1);
-  const std::string text = fmt::format("{}", number);
   cairo_text_extents_t size;
   cairo_text_extents(cr, text.c_str(), &size);
   cairo_move_to(cr, x - size.width / 2 - size.x_bearing, y + size.height / 2);
   cairo_show_text(cr, text.c_str());
   cairo_new_path(cr);
+}
+
+/// Loops are often entered where another one was: a disc that would lie on others goes to their
+/// right.
+void drawEntries(cairo_t* cr, const View& view, const std::vector<DrawnEntry>& entries) {
+  std::vector<std::pair<double, double>> taken;
+  for (const DrawnEntry& e : entries) {
+    double x = view.x(e.position.x);
+    const double y = view.y(e.position.y);
+    const auto covered = [&] {
+      return std::any_of(taken.begin(), taken.end(), [&](const auto& t) {
+        return std::hypot(t.first - x, t.second - y) < 2 * kEntryRadius;
+      });
+    };
+    while (covered()) x += 2 * kEntryRadius + 1;
+    taken.emplace_back(x, y);
+    drawEntry(cr, x, y, fmt::format("{}", e.number));
+  }
 }
 
 void drawLegend(MapPicture& picture, const DrawnGraph& graph) {
@@ -57,8 +77,8 @@ void drawLegend(MapPicture& picture, const DrawnGraph& graph) {
   cairo_set_line_width(cr, 3);
   sample(setWay, "way");
   sample(setShortcut, "closes a cycle");
-  drawEntry(cr, x + 9, y, 1);
-  picture.drawText(x + 24, "entry");
+  drawEntry(cr, x + kEntryRadius, y, "n");
+  picture.drawText(x + 24, "entry of closing n");
 }
 
 }  // namespace
@@ -75,8 +95,7 @@ void writeTopology(const std::filesystem::path& file, const mrpt::maps::COccupan
   setShortcut(cr);
   cairo_set_line_width(cr, 3);
   drawWays(cr, view, graph, graph.shortcuts);
-  for (std::size_t i = 0; i < graph.entries.size(); ++i)
-    drawEntry(cr, view.x(graph.entries[i].x), view.y(graph.entries[i].y), i + 1);
+  drawEntries(cr, view, graph.entries);
   picture.drawScaleBar();
   drawLegend(picture, graph);
   picture.write();

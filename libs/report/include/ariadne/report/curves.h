@@ -1,6 +1,7 @@
 // A chart of curves over one axis, with marked moments: coalescence, Neff.
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,8 @@ struct Curve {
   std::string name;
   std::vector<double> x;
   std::vector<double> y;
+  std::optional<std::size_t> colour = std::nullopt;  ///< of six; none: by its place in the chart
+  bool dashed = false;
 };
 
 /// A vertical line with a name.
@@ -26,8 +29,8 @@ struct CurveChart {
   std::vector<Moment> moments;
 };
 
-/// PNG, 1000 x 560 pixels. Curves are told apart by colour, named below. Throws core::Error naming
-/// the file.
+/// PNG, 1000 pixels wide, 560 high with up to three curves and 20 more for each further three. The
+/// first curve lies on top; names are below. Throws core::Error naming the file.
 void writeCurves(const std::filesystem::path& file, const CurveChart& chart);
 
 }  // namespace ariadne::report

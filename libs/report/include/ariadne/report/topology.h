@@ -9,14 +9,20 @@
 
 namespace ariadne::report {
 
+/// Where a closing entered, with the number it goes by.
+struct DrawnEntry {
+  mrpt::math::TPoint2D position;  ///< m, map frame
+  std::size_t number = 0;
+};
+
 struct DrawnGraph {
   std::vector<mrpt::math::TPoint2D> places;                    ///< m, map frame
   std::vector<std::pair<std::size_t, std::size_t>> ways;       ///< in the order they were driven
   std::vector<std::pair<std::size_t, std::size_t>> shortcuts;  ///< those that closed a cycle
-  std::vector<mrpt::math::TPoint2D> entries;  ///< entry points of the closings, in their order
+  std::vector<DrawnEntry> entries;
 };
 
-/// PNG. Throws core::Error naming the file.
+/// PNG. Entries at one spot are drawn side by side. Throws core::Error naming the file.
 void writeTopology(const std::filesystem::path& file, const mrpt::maps::COccupancyGridMap2D& map,
                    const DrawnGraph& graph);
 

@@ -1,0 +1,15 @@
+#include "loop_counts.h"
+
+namespace ariadne::slam_app {
+
+LoopCounts countLoops(const std::vector<slam::ClosingRecord>& closings) {
+  LoopCounts counts;
+  counts.detected = closings.size();
+  for (const slam::ClosingRecord& c : closings) {
+    counts.closed += c.closing.entered ? 1 : 0;
+    counts.recovered += c.recovery ? 1 : 0;
+  }
+  return counts;
+}
+
+}  // namespace ariadne::slam_app
