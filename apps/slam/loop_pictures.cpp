@@ -65,8 +65,7 @@ void writeTopologyPicture(const std::filesystem::path& file, const slam::Mapper&
 
 void writeCoalescencePicture(const std::filesystem::path& file, const slam::Mapper& mapper) {
   report::CurveChart chart;
-  // Recovery gives every way it draws nodes of its own, so that its curve is an upper bound.
-  chart.title = "Unique ancestors of the particle set (copies that a recovery made count apart)";
+  chart.title = "Unique ancestors of the particle set";
   chart.x_label = "filter update";
   chart.y_label = "ancestors at that update";
   std::vector<filter::AncestorPtr> leaves;

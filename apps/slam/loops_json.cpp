@@ -19,10 +19,7 @@ Json definitions() {
   const eval::KernelParams k;
   return {
       {"distinct_ancestors",
-       "nodes of the ancestry at te, told apart by identity. A recovery makes nodes of their own "
-       "for "
-       "each way it draws, equal or not: where te lies within the way of an earlier recovery this, "
-       "and what is made of it, counts copies of one hypothesis as several"},
+       "nodes of the ancestry at te: hypotheses that differ in what they were up to there"},
       {"survivors_fraction",
        "distinct ancestors at te of the saved set over the distinct hypotheses there were at te"},
       {"kl_nats",

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 
 #include "filter_drive.h"
 
@@ -82,6 +83,26 @@ TEST(Recovery, EntriesKeepTheirPastAndGetTheMotionOfTheirSource) {
                      models::relativePose(source[te], source[k]), 1e-9);
     EXPECT_NEAR(p.accumulated(), saved.entries[e].at_te->accumulated() + increments, 1e-9);
     EXPECT_EQ(out.graphs[e].visits().size(), 50U);
+  }
+}
+
+TEST(Recovery, WhatWaysShareTheyShareStill) {
+  FilterDrive drive(8);
+  drive.steps(30);
+  const auto saved = drive.save(12);
+  drive.steps(20);
+  const auto out = drive.recover(saved);
+  for (std::size_t step = 12; step < 50; ++step) {
+    std::set<std::pair<const filter::Ancestor*, const filter::Ancestor*>> hypotheses;
+    std::vector<filter::AncestorPtr> leaves;
+    for (std::size_t e = 0; e < 8; ++e) {
+      const auto& source = drive.set[out.sources[e]].ancestor;
+      // Where ways start there is one hypothesis an entry, whatever its source was at te.
+      const auto* at_step = step == 12 ? nullptr : filter::ancestorAt(source, step).get();
+      hypotheses.insert({saved.entries[e].at_te.get(), at_step});
+      leaves.push_back(out.particles[e].ancestor);
+    }
+    EXPECT_EQ(filter::distinctAncestors(leaves, step), hypotheses.size()) << "update " << step;
   }
 }
 

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "ariadne/models/motion_model.h"
-
 namespace ariadne::recovery {
 namespace {
 
@@ -23,16 +21,6 @@ std::vector<const Ancestor*> nodesAfter(const filter::AncestorPtr& leaf, std::si
 
 }  // namespace
 
-Segment segmentOf(const filter::AncestorPtr& leaf, std::size_t te) {
-  const filter::AncestorPtr start = filter::ancestorAt(leaf, te);
-  Segment segment;
-  for (const Ancestor* a : nodesAfter(leaf, te)) {
-    segment.te_from_robot.push_back(models::relativePose(start->pose(), a->pose()));
-    segment.log_weight.push_back(a->logWeight());
-  }
-  return segment;
-}
-
 grid::OccupancyGrid mapAtTe(const SavedEntry& entry, const std::vector<grid::ScanShape>& shapes) {
   grid::OccupancyGrid map = entry.checkpoint->map;
   std::vector<grid::PlacedScan> scans;
@@ -46,27 +34,23 @@ grid::OccupancyGrid mapAtTe(const SavedEntry& entry, const std::vector<grid::Sca
 constexpr std::size_t kSparser = 4;
 
 filter::Particle attach(const SavedEntry& entry, const grid::OccupancyGrid& map_at_te,
-                        const Segment& segment, const std::vector<grid::ScanShape>& shapes,
+                        const filter::AncestorPtr& leaf, const std::vector<grid::ScanShape>& shapes,
                         std::size_t checkpoint_updates) {
   filter::Particle p;
-  p.ancestor = entry.at_te;
+  p.ancestor = leaf;
   p.checkpoints = entry.checkpoint;
   p.map = map_at_te;
-  std::size_t step = entry.at_te->step();
   std::vector<grid::PlacedScan> scans;  // not inserted yet
-  for (std::size_t k = 0; k < segment.te_from_robot.size(); ++k) {
-    const auto pose = models::compose(entry.at_te->pose(), segment.te_from_robot[k]);
-    ++step;
-    p.ancestor = std::make_shared<Ancestor>(p.ancestor, step, pose, segment.log_weight[k]);
-    scans.push_back({&shapes[step], pose});
-    if (step % (kSparser * checkpoint_updates) != 0) continue;
+  for (const Ancestor* a : nodesAfter(leaf, entry.at_te->step())) {
+    scans.push_back({&shapes[a->step()], a->pose()});
+    if (a->step() % (kSparser * checkpoint_updates) != 0) continue;
     p.map.insertMany(scans);
     scans.clear();
     p.checkpoints =
-        std::make_shared<filter::Checkpoint>(filter::Checkpoint{step, p.map, p.checkpoints});
+        std::make_shared<filter::Checkpoint>(filter::Checkpoint{a->step(), p.map, p.checkpoints});
   }
   p.map.insertMany(scans);
-  p.map_from_robot = p.ancestor->pose();
+  p.map_from_robot = leaf->pose();
   return p;
 }
 

@@ -8,21 +8,14 @@
 
 namespace ariadne::recovery {
 
-/// The way x_te+1:t of one particle, as motion seen from its pose at te.
-struct Segment {
-  std::vector<mrpt::math::TPose2D> te_from_robot;  ///< one an update from te + 1 on
-  std::vector<double> log_weight;                  ///< increments of the same updates
-};
-Segment segmentOf(const filter::AncestorPtr& leaf, std::size_t te);
-
 /// The entry's map as of te: its checkpoint and the scans since.
 grid::OccupancyGrid mapAtTe(const SavedEntry& entry, const std::vector<grid::ScanShape>& shapes);
 
-/// The entry's trajectory and map with the segment after it, x~_k = x~_te (+) (x_te^-1 (+) x_k):
-/// absolute coordinates would erase the differences that were saved.
+/// The entry's trajectory and map with the way `leaf` after it.
+/// @param leaf descends from entry.at_te, see Ways
 /// @param shapes scans of all updates, by number
 filter::Particle attach(const SavedEntry& entry, const grid::OccupancyGrid& map_at_te,
-                        const Segment& segment, const std::vector<grid::ScanShape>& shapes,
+                        const filter::AncestorPtr& leaf, const std::vector<grid::ScanShape>& shapes,
                         std::size_t checkpoint_updates);
 
 /// Share of the segment's beams that end where the entry's own map at te is surely free: 0 when the

@@ -4,6 +4,7 @@
 
 #include "attach.h"
 #include "draw.h"
+#include "ways.h"
 
 namespace ariadne::recovery {
 namespace {
@@ -39,16 +40,18 @@ RecoveredSet recover(const SavedSet& saved, const filter::ParticleSet& present,
   out.particles.resize(n);
   out.graphs.resize(n);
   out.contradiction.resize(n);
+  Ways ways(saved.te);
+  std::vector<filter::AncestorPtr> leaves;
+  for (std::size_t e = 0; e < n; ++e)
+    leaves.push_back(ways.attach(saved.entries[e].at_te, present[out.sources[e]].ancestor));
   inputs.parallel.forEach(n, [&](std::size_t e) {
     if (twins[e] != e) return;
     const SavedEntry& entry = saved.entries[e];
-    const std::size_t source = out.sources[e];
-    const Segment segment = segmentOf(present[source].ancestor, saved.te);
     const grid::OccupancyGrid map = mapAtTe(entry, inputs.shapes);
-    out.particles[e] = attach(entry, map, segment, inputs.shapes, inputs.checkpoint_updates);
-    out.contradiction[e] = contradiction(map, out.particles[e].ancestor, saved.te, inputs.shapes);
+    out.particles[e] = attach(entry, map, leaves[e], inputs.shapes, inputs.checkpoint_updates);
+    out.contradiction[e] = contradiction(map, leaves[e], saved.te, inputs.shapes);
     out.graphs[e] = entry.graph;
-    out.graphs[e].attach(graphs[source], positionsAfter(out.particles[e].ancestor, saved.te));
+    out.graphs[e].attach(graphs[out.sources[e]], positionsAfter(leaves[e], saved.te));
   });
   for (std::size_t e = 0; e < n; ++e) {
     out.weights.push_back(saved.entries[e].weight);
