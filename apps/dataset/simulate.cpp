@@ -49,6 +49,7 @@ double lengthOf(const models::Trajectory& poses) {
 }
 
 std::string summaryOf(const models::Trajectory& poses) {
+  if (poses.empty()) return "no start";
   return fmt::format("{} scans, {:.1f} m, {:.1f} s", poses.size(), lengthOf(poses),
                      poses.back().time_s);
 }
@@ -91,7 +92,8 @@ void simulate(const SimulateArguments& args, std::ostream& out, std::ostream& er
 void drawWorld(const SimulateArguments& args, std::ostream& out, std::ostream& err) {
   refuseToOverwrite(args.out, args.overwrite);
   const sim::World world = sim::readWorld(args.world);
-  models::Trajectory poses = {{0, world.start}};
+  models::Trajectory poses;
+  if (world.start) poses = {{0, *world.start}};
   if (args.path.empty() && (args.laps || !args.settings.empty()))
     throw core::UsageError("--laps and --set are for a drive: --path names it");
   if (!args.path.empty()) poses = drive(args, world, paramsOf(args).drive, err).poses;

@@ -123,12 +123,12 @@ TEST(Drive, WallsBeyondTheRangeGiveNoReturn) {
 TEST(Drive, TouchingRockIsAnError) {
   const auto path = parsePath("goto 4 0\ngoto 4 7", "p");
   expectError<Error>([&] { driveThrough(cornerWorld(), path, {}); },
-                     {"corner.world", "after", "s, at (4.", "waypoint (4, 0) of p:1",
+                     {"corner.world", "after", "s, at (3.99", "waypoint (4, 0) of p:1",
                       "touches rock with its radius of 0.2 m"});
   DriveParams fat;
   fat.robot_radius_m = 1.2;
   expectError<Error>([&] { driveThrough(cornerWorld(), cornerPath(), fat); },
-                     {"after 0.1 s", "behind the start"});
+                     {"corner.world", "at its start (0.00, 0.00)", "radius of 1.2 m"});
 }
 
 TEST(Drive, ParametersAreChecked) {

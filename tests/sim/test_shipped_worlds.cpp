@@ -42,7 +42,7 @@ TEST(ShippedWorlds, AllDrivesArrive) {
     // The outer loop is closed at C: the robot is back where it started, within what counts as
     // reached and the way from scan to scan.
     const auto at = static_cast<std::size_t>(drive.marks.back().time_s * 5);
-    EXPECT_LT((drive.poses.at(at).pose - world.start).norm(), 0.45);
+    EXPECT_LT((drive.poses.at(at).pose - *world.start).norm(), 0.45);
     EXPECT_GT(lengthUntil(drive, 1e9) - lengthUntil(drive, drive.marks.back().time_s), 10)
         << "known corridor after the closure";
   }

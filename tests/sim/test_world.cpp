@@ -40,8 +40,8 @@ TEST(World, CorridorsRoomsAndWalls) {
   EXPECT_FALSE(isFree(world, 4, 4.02));
   EXPECT_FALSE(isFree(world, 6.25, -0.25));
   EXPECT_TRUE(isFree(world, 6.25, 0.25));
-  EXPECT_DOUBLE_EQ(world.start.x, 1);
-  EXPECT_DOUBLE_EQ(world.start.phi, M_PI / 2);
+  EXPECT_DOUBLE_EQ(world.start->x, 1);
+  EXPECT_DOUBLE_EQ(world.start->phi, M_PI / 2);
   EXPECT_NEAR(world.map.getResolution(), 0.05, 1e-6);
   EXPECT_NEAR(world.map.getXMin(), -2, 1e-4);
   EXPECT_NEAR(world.map.getYMax(), 7, 1e-4);

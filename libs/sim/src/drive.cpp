@@ -1,11 +1,10 @@
 #include "ariadne/sim/drive.h"
 
 #include <fmt/format.h>
-#include <mrpt/kinematics/CVehicleSimul_DiffDriven.h>
 
 #include <cmath>
 
-#include "collision.h"
+#include "ariadne/sim/robot.h"
 #include "follower.h"
 
 namespace ariadne::sim {
@@ -13,20 +12,16 @@ namespace {
 
 using mrpt::math::TPose2D;
 
-constexpr double kMotorLag_s = 0.1;
 constexpr double kControlPeriod_s = 0.05;  // at most; a whole number of them is a scan's period
 
 class Driver {
  public:
-  Driver(const World& world, const DrivePath& path, const DriveParams& params)
+  Driver(const World& world, const TPose2D& start, const DrivePath& path, const DriveParams& params)
       : world_(world),
         path_(path),
         params_(params),
-        follower_(path.waypoints, world.start, params) {
-    robot_.setDelayModelParams(kMotorLag_s);
-    robot_.resetTime();
-    robot_.setCurrentGTPose(world.start);
-  }
+        follower_(path.waypoints, start, params),
+        robot_(world, start, params) {}
 
   TruthDrive run(const DriveProgress& progress) {
     const double scan_period_s = 1 / params_.scan_rate_hz;
@@ -47,17 +42,12 @@ class Driver {
   }
 
  private:
-  const TPose2D& pose() const { return robot_.getCurrentGTPose(); }
+  const TPose2D& pose() const { return robot_.pose(); }
 
-  /// The vehicle moves by whole periods of its firmware (0.5 ms) and may end one late; asking for
-  /// a time instead of an interval keeps that from adding up.
   void moveUntil(double time_s) {
-    const VelocityCommand command = follower_.command(pose());
-    robot_.movementCommand(command.forward_m_s, command.turn_rad_s);
-    robot_.simulateOneTimeStep(time_s - robot_.getTime());
+    const bool moved = robot_.moveUntil(time_s, follower_.command(pose()));
     time_s_ = time_s;
-    if (touchesRock(world_.map, pose().x, pose().y, params_.robot_radius_m))
-      fail(fmt::format("touches rock with its radius of {} m", params_.robot_radius_m));
+    if (!moved) fail(fmt::format("touches rock with its radius of {} m", params_.robot_radius_m));
     arrive();
     if (!follower_.done() && time_s_ > deadline_s_)
       fail(fmt::format("is not at the next one, {}, in good time",
@@ -74,18 +64,7 @@ class Driver {
   }
 
   void scan() {
-    auto scan = mrpt::obs::CObservation2DRangeScan::Create();
-    scan->sensorLabel = "laser";
-    scan->timestamp = mrpt::Clock::fromDouble(time_s_);
-    scan->aperture = static_cast<float>(params_.field_of_view_deg * M_PI / 180);
-    scan->rightToLeft = true;
-    scan->maxRange = static_cast<float>(params_.max_range_m);
-    world_.map.laserScanSimulator(*scan, mrpt::poses::CPose2D(pose()), 0.5F,
-                                  static_cast<std::size_t>(params_.beams));
-    // MRPT 2.5.8 gives a beam without return 0.8 of the maximum range.
-    for (std::size_t i = 0; i < scan->getScanSize(); ++i)
-      if (!scan->getScanRangeValidity(i)) scan->setScanRange(i, scan->maxRange);
-    truth_.scans.push_back(scan);
+    truth_.scans.push_back(robot_.scan());
     truth_.poses.push_back({time_s_, pose()});
   }
 
@@ -106,7 +85,7 @@ class Driver {
   const DrivePath& path_;
   DriveParams params_;
   Follower follower_;
-  mrpt::kinematics::CVehicleSimul_DiffDriven robot_;
+  Robot robot_;
   TruthDrive truth_;
   double time_s_ = 0;
   double deadline_s_ = 0;
@@ -118,7 +97,9 @@ class Driver {
 TruthDrive driveThrough(const World& world, const DrivePath& path, const DriveParams& params,
                         const DriveProgress& progress) {
   core::validateFields(params, "drive");
-  return Driver(world, path, params).run(progress);
+  if (!world.start)
+    throw core::Error(world.name + ": it names no start, so no drive can be scripted in it");
+  return Driver(world, *world.start, path, params).run(progress);
 }
 
 }  // namespace ariadne::sim

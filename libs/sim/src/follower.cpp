@@ -61,13 +61,13 @@ double Follower::speedTo(double distance_m) const {
   return std::min(params_.speed_m_s, kCornerSpeed_m_s + kBrakeGain * left);
 }
 
-VelocityCommand Follower::command(const TPose2D& robot) {
+models::VelocityCommand Follower::command(const TPose2D& robot) {
   if (done()) return {};
   const TPoint2D point = aim(robot);
   const double error =
       std::remainder(std::atan2(point.y - robot.y, point.x - robot.x) - robot.phi, 2 * M_PI);
   turning_ = std::abs(error) > (turning_ ? kEndTurn : kBeginTurn);
-  VelocityCommand out;
+  models::VelocityCommand out;
   out.turn_rad_s = std::clamp(kTurnGain * error, -fastest_turn_, fastest_turn_);
   if (!turning_) out.forward_m_s = speedTo(distance(target(), robot.x, robot.y)) * std::cos(error);
   return out;

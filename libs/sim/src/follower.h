@@ -6,15 +6,11 @@
 
 #include <vector>
 
+#include "ariadne/models/velocity_command.h"
 #include "ariadne/sim/drive_path.h"
 #include "ariadne/sim/params.h"
 
 namespace ariadne::sim {
-
-struct VelocityCommand {
-  double forward_m_s = 0;
-  double turn_rad_s = 0;
-};
 
 class Follower {
  public:
@@ -25,7 +21,7 @@ class Follower {
   /// Counts the waypoints that the robot has reached.
   void see(const mrpt::math::TPose2D& robot);
   /// What to do now; stands still at the end.
-  VelocityCommand command(const mrpt::math::TPose2D& robot);
+  models::VelocityCommand command(const mrpt::math::TPose2D& robot);
 
   std::size_t reached() const { return reached_; }
   bool done() const { return reached_ == waypoints_.size(); }

@@ -1,67 +1,16 @@
-#include <algorithm>
-#include <cmath>
-
-#include "ariadne/core/random.h"
-#include "ariadne/models/motion_model.h"
 #include "ariadne/sim/drive.h"
+#include "ariadne/sim/senses.h"
 
 namespace ariadne::sim {
-namespace {
-
-using core::Purpose;
-using core::RandomStream;
-using mrpt::math::TPose2D;
-using mrpt::obs::CObservation2DRangeScan;
-
-/// A true increment as the wheels report it.
-TPose2D withNoise(const TPose2D& motion, const NoiseParams& noise, RandomStream random) {
-  const double distance = std::hypot(motion.x, motion.y);
-  const double direction = std::atan2(motion.y, motion.x);
-  const double turn_per_m = noise.turn_per_m_deg * M_PI / 180;
-  const double turn_variance = noise.turn_per_turn * noise.turn_per_turn * std::abs(motion.phi) +
-                               turn_per_m * turn_per_m * distance;
-  const double along = distance + noise.travel_per_m * std::sqrt(distance) * random.gaussian();
-  const double across = noise.side_per_m * std::sqrt(distance) * random.gaussian();
-  const double c = std::cos(direction), s = std::sin(direction);
-  return {along * c - across * s, along * s + across * c,
-          motion.phi + std::sqrt(turn_variance) * random.gaussian()};
-}
-
-/// A reading keeps to the contract of io::StepSource: valid exactly when 0 < range < maxRange.
-CObservation2DRangeScan::Ptr withNoise(const CObservation2DRangeScan& clean, double sigma_m,
-                                       RandomStream random) {
-  auto scan = std::make_shared<CObservation2DRangeScan>(clean);
-  if (sigma_m == 0) return scan;
-  constexpr float kLeast_m = 0.001F;
-  for (std::size_t i = 0; i < scan->getScanSize(); ++i) {
-    if (!scan->getScanRangeValidity(i)) continue;
-    const double noisy = scan->getScanRange(i) + sigma_m * random.gaussian();
-    const float range = std::clamp(static_cast<float>(noisy), kLeast_m, scan->maxRange);
-    scan->setScanRange(i, range);
-    scan->setScanRangeValidity(i, range < scan->maxRange);
-  }
-  return scan;
-}
-
-}  // namespace
 
 SimulatedDrive observe(const TruthDrive& drive, const NoiseParams& noise, std::uint64_t seed) {
-  core::validateFields(noise, "noise");
+  Senses senses(noise, seed);
   SimulatedDrive out;
   out.truth = drive.poses;
   out.marks = drive.marks;
   out.steps.reserve(drive.poses.size());
-  TPose2D odometry;
-  for (std::size_t k = 0; k < drive.poses.size(); ++k) {
-    const auto step = static_cast<std::uint32_t>(k);
-    if (k > 0)
-      odometry = models::compose(
-          odometry, withNoise(models::relativePose(drive.poses[k - 1].pose, drive.poses[k].pose),
-                              noise, RandomStream(seed, step, 0, Purpose::noise)));
-    out.steps.push_back({drive.poses[k].time_s, odometry,
-                         withNoise(*drive.scans[k], noise.range_sigma_m,
-                                   RandomStream(seed, step, 0, Purpose::range_noise))});
-  }
+  for (std::size_t k = 0; k < drive.poses.size(); ++k)
+    out.steps.push_back(senses.next(drive.poses[k], *drive.scans[k]));
   return out;
 }
 

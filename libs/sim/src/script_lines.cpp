@@ -50,7 +50,9 @@ std::vector<ScriptLine> scriptLines(std::string_view text, const std::string& na
   return lines;
 }
 
-std::string readScript(const std::filesystem::path& path) {
+namespace {
+
+std::ifstream openForReading(const std::filesystem::path& path) {
   const auto fail = [&](const std::string& why) {
     throw core::Error(fmt::format("cannot read {}: {}", path.string(), why));
   };
@@ -59,6 +61,18 @@ std::string readScript(const std::filesystem::path& path) {
   errno = 0;
   std::ifstream in(path, std::ios::binary);
   if (!in) fail(std::generic_category().message(errno));
+  return in;
+}
+
+}  // namespace
+
+void expectReadable(const std::filesystem::path& path) { openForReading(path); }
+
+std::string readScript(const std::filesystem::path& path) {
+  std::ifstream in = openForReading(path);
+  const auto fail = [&](const std::string& why) {
+    throw core::Error(fmt::format("cannot read {}: {}", path.string(), why));
+  };
   std::string text(kLargestFile + 1, '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (in.bad()) fail(std::generic_category().message(errno));
@@ -94,7 +108,7 @@ long long wholeNumberIn(const ScriptLine& line, const std::string& word, const s
   return value;
 }
 
-void expectWords(const ScriptLine& line, std::size_t count, const char* usage) {
+void expectWords(const ScriptLine& line, std::size_t count, const std::string& usage) {
   if (line.words.size() != count)
     throw lineError(
         line, fmt::format("{} words follow it; it takes {}: {}", line.words.size(), count, usage));

@@ -21,6 +21,9 @@ struct ScriptLine {
 /// Lines with a command in them. Throws core::Error for NUL bytes.
 std::vector<ScriptLine> scriptLines(std::string_view text, const std::string& name);
 
+/// Throws core::Error naming the path and why it cannot be opened.
+void expectReadable(const std::filesystem::path& path);
+
 /// All of a file. Throws core::Error naming the path when it cannot be read, or is larger than any
 /// script (4 MB).
 std::string readScript(const std::filesystem::path& path);
@@ -37,7 +40,7 @@ long long wholeNumberIn(const ScriptLine& line, const std::string& word, const s
                         const core::Bounds& bounds);
 
 /// Throws unless the line has so many words; `usage` says which: "wall x0 y0 x1 y1".
-void expectWords(const ScriptLine& line, std::size_t count, const char* usage);
+void expectWords(const ScriptLine& line, std::size_t count, const std::string& usage);
 
 /// Words as coordinates, metres, at most 1e5 from the origin.
 std::vector<double> coordinates(const ScriptLine& line, std::size_t first = 0);

@@ -29,6 +29,7 @@ struct Drawing {
   std::optional<double> resolution_m;
   std::optional<Start> start;
   std::vector<Block> blocks;
+  std::vector<Block> glass;
 };
 
 std::vector<Block> corridorOf(const ScriptLine& line) {
@@ -46,7 +47,7 @@ std::vector<Block> corridorOf(const ScriptLine& line) {
 }
 
 Block rectangleOf(const ScriptLine& line, bool rock) {
-  expectWords(line, 4, rock ? "wall x0 y0 x1 y1" : "room x0 y0 x1 y1");
+  expectWords(line, 4, line.command + " x0 y0 x1 y1");
   const auto v = coordinates(line);
   if (v[0] == v[2] || v[1] == v[3])
     throw lineError(line, "the rectangle has no area: its corners must differ in x and in y");
@@ -67,6 +68,8 @@ void readLine(const ScriptLine& line, Drawing& drawing) {
     for (const Block& block : corridorOf(line)) drawing.blocks.push_back(block);
   } else if (line.command == "room" || line.command == "wall") {
     drawing.blocks.push_back(rectangleOf(line, line.command == "wall"));
+  } else if (line.command == "glass") {
+    drawing.glass.push_back(rectangleOf(line, true));
   } else if (line.command == "start") {
     once(drawing.start.has_value());
     drawing.start = startOf(line);
@@ -75,7 +78,7 @@ void readLine(const ScriptLine& line, Drawing& drawing) {
     expectWords(line, 1, "resolution_m 0.05");
     drawing.resolution_m = numberIn(line, line.words[0], "the resolution", {0.01, 0.5});
   } else {
-    throw unknownCommand(line, {"resolution_m", "corridor", "room", "wall", "start"});
+    throw unknownCommand(line, {"resolution_m", "corridor", "room", "wall", "glass", "start"});
   }
 }
 
@@ -128,15 +131,13 @@ World parseWorld(std::string_view text, const std::string& name) {
   world.name = name;
   world.map = rockAround(drawing, name);
   for (const Block& block : drawing.blocks) paint(world.map, block);
+  world.bodies = world.map;
+  for (const Block& block : drawing.glass) paint(world.bodies, block);
   if (!drawing.start)
     throw core::Error(name + ": the robot's start is missing; a line `start x y deg` sets it");
   checkStart(world, *drawing.start);
   world.start = drawing.start->pose;
   return world;
-}
-
-World readWorld(const std::filesystem::path& path) {
-  return parseWorld(readScript(path), path.string());
 }
 
 }  // namespace ariadne::sim

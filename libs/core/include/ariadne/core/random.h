@@ -15,6 +15,7 @@ enum class Purpose : std::uint32_t {
   noise = 4,
   range_noise = 5,
   recovery = 6,
+  start = 7,
   test = 99
 };
 
