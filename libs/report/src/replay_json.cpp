@@ -1,0 +1,133 @@
+#include "replay_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "frame_json.h"
+#include "tile_atlas.h"
+
+namespace ariadne::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* nameOf(MomentKind kind) {
+  switch (kind) {
+    case MomentKind::detection:
+      return "detection";
+    case MomentKind::entry:
+      return "entry";
+    case MomentKind::end:
+      return "end";
+    case MomentKind::recovery:
+      return "recovery";
+    case MomentKind::decision:
+      break;
+  }
+  return "decision";
+}
+
+/// A value a step; null where there is none.
+template <class F>
+Json column(const Replay& replay, F&& value) {
+  Json out = Json::array();
+  for (const ReplayStep& s : replay.steps) out.push_back(value(s));
+  return out;
+}
+
+/// [first step, value] of each run of equal values.
+template <class F>
+Json runs(const Replay& replay, F&& value) {
+  Json out = Json::array();
+  for (std::size_t i = 0; i < replay.steps.size(); ++i)
+    if (i == 0 || value(replay.steps[i]) != value(replay.steps[i - 1]))
+      out.push_back({i, value(replay.steps[i])});
+  return out;
+}
+
+template <class T, class F>
+Json orNull(const std::optional<T>& v, F&& value) {
+  return v ? Json(value(*v)) : Json();
+}
+
+Json poseJson(const mrpt::math::TPose2D& p) {
+  return {rounded(100 * p.x), rounded(100 * p.y), rounded(1000 * p.phi)};
+}
+
+Json stepsJson(const Replay& r) {
+  const auto milli = [](double v) { return rounded(1000 * v); };
+  const auto same = [](std::size_t v) { return v; };
+  const double start_s = r.steps.empty() ? 0 : r.steps.front().time_s;
+  return {{"time_ms", column(r, [&](auto& s) { return milli(s.time_s - start_s); })},
+          {"distance_cm", column(r, [&](auto& s) { return rounded(100 * s.distance_m); })},
+          {"neff_milli", column(r, [&](auto& s) { return milli(s.neff); })},
+          {"resampled", column(r, [&](auto& s) { return s.resampled ? 1 : 0; })},
+          {"ancestors", column(r, [&](auto& s) { return orNull(s.unique_ancestors, same); })},
+          {"pose_entropy_milli", column(r, [&](auto& s) { return milli(s.pose_entropy); })},
+          {"map_entropy_milli", column(r, [&](auto& s) { return orNull(s.map_entropy, milli); })},
+          {"error_mm", column(r, [&](auto& s) { return orNull(s.error_m, milli); })},
+          {"pose", column(r, [&](auto& s) { return poseJson(s.map_from_robot); })},
+          {"truth", column(r, [&](auto& s) { return orNull(s.truth, poseJson); })},
+          {"loop", runs(r, [&](auto& s) { return static_cast<int>(s.loop_state); })},
+          {"state", runs(r, [&](auto& s) { return s.state; })}};
+}
+
+Json momentsJson(const Replay& r) {
+  Json out = Json::array();
+  for (const ReplayMoment& m : r.moments)
+    out.push_back({{"step", m.step},
+                   {"kind", nameOf(m.kind)},
+                   {"title", m.title},
+                   {"text", m.text},
+                   {"table", m.table}});
+  return out;
+}
+
+Json headJson(const Replay& r) {
+  Json facts = Json::array();
+  for (const ReplayFact& f : r.facts) facts.push_back(Json::array({f.name, f.value}));
+  return {{"title", r.title},
+          {"facts", facts},
+          {"notes", r.notes},
+          {"particles", r.particles},
+          {"steps", stepsJson(r)},
+          {"moments", momentsJson(r)},
+          {"map",
+           {{"pixel_m", r.pixel_m},
+            {"x_m", r.map_origin.x},
+            {"y_m", r.map_origin.y},
+            {"tile", kReplayTile},
+            {"tiles", r.tiles.size()},
+            {"per_column", kTilesPerColumn},
+            {"columns", tileColumns(r.tiles)}}}};
+}
+
+/// As text that an HTML parser cannot take for markup.
+std::string textOf(const Json& json) {
+  const std::string plain = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string safe;
+  safe.reserve(plain.size());
+  for (const char c : plain) {
+    if (c == '<')
+      safe += "\\u003c";
+    else
+      safe += c;
+  }
+  return safe;
+}
+
+}  // namespace
+
+std::string replayJson(const Replay& replay) {
+  std::string out = textOf(headJson(replay));
+  out.back() = ',';  // for the closing brace
+  out += "\"frames\":[";
+  // One by one: all at once would take memory many times the text's.
+  const ReplayFrame nothing;
+  for (std::size_t i = 0; i < replay.frames.size(); ++i) {
+    if (i > 0) out += ',';
+    out += textOf(frameJson(replay.frames[i], i > 0 ? replay.frames[i - 1] : nothing));
+  }
+  return out + "]}";
+}
+
+}  // namespace ariadne::report
