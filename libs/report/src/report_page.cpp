@@ -55,17 +55,19 @@ std::string pageOf(const Replay& replay) {
 
 }  // namespace
 
-std::string reportHtml(Replay replay, std::size_t largest) {
+std::string reportHtml(const Replay& replay, std::size_t largest) {
   std::string page = pageOf(replay);
-  while (page.size() > largest && thin(replay.frames)) {
-    replay.tiles = usedTiles(replay.frames, replay.tiles);
-    page = pageOf(replay);
+  if (page.size() <= largest) return page;
+  Replay fewer = replay;
+  while (page.size() > largest && thin(fewer.frames)) {
+    fewer.tiles = usedTiles(fewer.frames, fewer.tiles);
+    page = pageOf(fewer);
   }
   return page;
 }
 
-void writeReport(const std::filesystem::path& file, Replay replay) {
-  io::writeWhole(file, reportHtml(std::move(replay)));
+void writeReport(const std::filesystem::path& file, const Replay& replay) {
+  io::writeWhole(file, reportHtml(replay));
 }
 
 }  // namespace ariadne::report
