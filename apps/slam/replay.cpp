@@ -37,8 +37,8 @@ std::vector<report::ReplayFact> factsOf(const RunResult& r) {
 
 std::vector<std::string> notesOf(const RunResult& r, const report::Replay& replay) {
   std::vector<std::string> notes = {
-      fmt::format("Map, particles and graph are shown at {} of {} updates, the robot at all.",
-                  replay.frames.size(), replay.steps.size()),
+      fmt::format("Map, path and graph are shown as of {} of the {} updates, particles as of {}.",
+                  replay.frames.size(), replay.steps.size(), replay.clouds.size()),
       "The map is that of the best particle s*, Eq. (8), at that moment, and so is the path: both "
       "may jump when another particle becomes the best, or after a recovery.",
       "Map entropy counts known cells only, so it grows with what was seen."};

@@ -54,6 +54,24 @@ function decodeFrames(frames, box) {
   });
 }
 
+/** [step, x, y, phi, weight, x, ...] with poses but the first as differences to the first. */
+function decodeClouds(clouds) {
+  return clouds.map(([step, ...list]) => ({
+    step,
+    particles: list.map((v, i) => (i % 4 === 3 || i < 4 ? v : v + list[i % 4])),
+  }));
+}
+
+/** Of every step the last of the list that is not after it. */
+function lastOf(list, count) {
+  const out = new Array(count);
+  for (let step = 0, i = 0; step < count; ++step) {
+    while (i + 1 < list.length && list[i + 1].step <= step) ++i;
+    out[step] = list[i];
+  }
+  return out;
+}
+
 /** The box around all tiles that any keyframe shows, in tiles. */
 function tileBox(frames) {
   let [x0, y0, x1, y1] = [Infinity, Infinity, -Infinity, -Infinity];
@@ -71,13 +89,10 @@ function decodeReplay(json) {
   const box = tileBox(json.frames);
   const steps = decodeSteps(json.steps);
   const frames = decodeFrames(json.frames, box);
-  const frameOf = new Array(steps.count);
-  for (let step = 0, f = 0; step < steps.count; ++step) {
-    while (f + 1 < frames.length && frames[f + 1].step <= step) ++f;
-    frameOf[step] = f;
-  }
+  const frameOf = lastOf(frames, steps.count);
+  const cloudOf = lastOf(decodeClouds(json.clouds), steps.count);
   const moments = json.moments.slice().sort((a, b) => a.step - b.step);
-  return { title: json.title, facts: json.facts, notes: json.notes, particles: json.particles, map: json.map, box, steps, frames, frameOf, moments };
+  return { title: json.title, facts: json.facts, notes: json.notes, particles: json.particles, map: json.map, box, steps, frames, frameOf, cloudOf, moments };
 }
 
 function clock(seconds) {

@@ -26,7 +26,7 @@ function makeReadout(replay) {
     ["Entropy of the pose", number(steps.poseEntropy, 1, " nats"), true],
     ["Entropy of the map", number(steps.mapEntropy, 0, " nats"), known(steps.mapEntropy)],
     ["Error to the truth", number(steps.error, 2, " m"), known(steps.error)],
-    ["Map and particles of", (step) => `update ${replay.frames[replay.frameOf[step]].step}`, true],
+    ["Map as of", (step) => `update ${replay.frameOf[step].step}`, true],
   ].filter((row) => row[2]);
   const values = rows.map(() => element("dd"));
   document.getElementById("readout").append(...rows.map((row, i) => element("div", {}, element("dt", {}, row[0]), values[i])));

@@ -23,7 +23,7 @@ class Scene {
   }
 
   draw(step) {
-    const frame = this.replay.frames[this.replay.frameOf[step]];
+    const frame = this.replay.frameOf[step];
     this.unit = window.devicePixelRatio || 1;
     this.drawMap(frame);
     for (const layer of kLayers) {
@@ -111,12 +111,13 @@ class Scene {
     this.context.fill();
   }
 
-  particles(frame) {
+  particles(frame, step) {
     const { context, view, unit } = this;
+    const { particles } = this.replay.cloudOf[step];
     context.lineWidth = 1.5 * unit;
-    for (let i = 0; i < frame.particles.length; i += 4) {
-      const [x, y, phi, weight] = frame.particles.slice(i, i + 4);
-      context.globalAlpha = 0.25 + 0.65 * (weight / 1000);
+    for (let i = 0; i < particles.length; i += 4) {
+      const [x, y, phi, weight] = particles.slice(i, i + 4);
+      context.globalAlpha = 0.25 + 0.65 * (weight / 100);
       const px = view.toX(x / 100);
       const py = view.toY(y / 100);
       context.beginPath();

@@ -1,6 +1,7 @@
 #include "frame_json.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -58,18 +59,6 @@ Json changes(const std::vector<PlacedTile>& now, const std::vector<PlacedTile>& 
   return out;
 }
 
-Json particlesOf(const ReplayFrame& frame) {
-  double most = 0;
-  for (const ReplayParticle& p : frame.particles) most = std::max(most, p.weight);
-  Numbers out;
-  for (const ReplayParticle& p : frame.particles) {
-    const auto& pose = p.map_from_robot;
-    out.insert(out.end(), {cm(pose.x), cm(pose.y), rounded(1000 * pose.phi),
-                           most > 0 ? rounded(1000 * p.weight / most) : 0});
-  }
-  return out;
-}
-
 /// One point a square of 10 cm: frontiers come cell by cell.
 Json frontiersOf(const ReplayScene& scene) {
   Json clusters = Json::array();
@@ -90,11 +79,25 @@ Json frontiersOf(const ReplayScene& scene) {
 
 std::int64_t rounded(double value) { return std::isfinite(value) ? std::llround(value) : 0; }
 
+Json cloudJson(const ReplayCloud& cloud) {
+  double most = 0;
+  for (const ReplayParticle& p : cloud.particles) most = std::max(most, p.weight);
+  Numbers out{static_cast<std::int64_t>(cloud.step)};
+  // The first as it is, the others as seen from it: short numbers, most of them.
+  std::array<std::int64_t, 3> first{};
+  for (const ReplayParticle& p : cloud.particles) {
+    const auto& pose = p.map_from_robot;
+    const std::array<std::int64_t, 3> now{cm(pose.x), cm(pose.y), rounded(1000 * pose.phi)};
+    for (std::size_t i = 0; i < 3; ++i) out.push_back(now[i] - first[i]);
+    out.push_back(most > 0 ? rounded(100 * p.weight / most) : 0);
+    if (out.size() == 5) first = now;
+  }
+  return out;
+}
+
 Json frameJson(const ReplayFrame& frame, const ReplayFrame& before) {
   Json json = {{"step", frame.step},
                {"map", changes(frame.map, before.map)},
-               {"particles", particlesOf(frame)},
-               {"of", frame.particles_in_all},
                {"path", changes(flat(frame.path), flat(before.path))}};
   json["places"] = changes(flat(frame.graph.places), flat(before.graph.places));
   json["edges"] = changes(flat(frame.graph.edges), flat(before.graph.edges));

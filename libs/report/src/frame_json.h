@@ -6,9 +6,12 @@
 
 namespace ariadne::report {
 
-/// Positions in cm, headings in mrad, weights as thousandths of the largest. Lists that mostly grow
-/// are [numbers to keep from before, new number, ...].
+/// Positions in cm. Lists that mostly grow are [numbers to keep from before, new number, ...].
 nlohmann::ordered_json frameJson(const ReplayFrame& frame, const ReplayFrame& before);
+
+/// [step, then x, y (cm), heading (mrad), weight (hundredths of the largest) of each particle],
+/// poses but the first as differences to the first.
+nlohmann::ordered_json cloudJson(const ReplayCloud& cloud);
 
 /// Rounded to a whole number; 0 for what is not finite, which JSON has no number for.
 std::int64_t rounded(double value);

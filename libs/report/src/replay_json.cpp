@@ -120,7 +120,10 @@ std::string textOf(const Json& json) {
 std::string replayJson(const Replay& replay) {
   std::string out = textOf(headJson(replay));
   out.back() = ',';  // for the closing brace
-  out += "\"frames\":[";
+  out += "\"clouds\":[";
+  for (const ReplayCloud& c : replay.clouds) out += textOf(cloudJson(c)) + ',';
+  if (out.back() == ',') out.pop_back();
+  out += "],\"frames\":[";
   // One by one: all at once would take memory many times the text's.
   const ReplayFrame nothing;
   for (std::size_t i = 0; i < replay.frames.size(); ++i) {

@@ -4,9 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "ariadne/eval/entropy.h"
+#include "ariadne/eval/pose_entropy.h"
 #include "drawn_parts.h"
 #include "map_film.h"
+#include "running_entropy.h"
 #include "thinning.h"
 
 namespace ariadne::report {
@@ -26,19 +27,12 @@ double poseEntropy(const FilterView& view) {
   return eval::gaussianEntropy(now);
 }
 
-double mapEntropy(const FilterView& view) {
-  std::vector<const grid::OccupancyGrid*> maps;
-  for (const filter::Particle* p : view.particles) maps.push_back(&p->map);
-  const auto of_each = eval::mapEntropies(maps);
-  double mean = 0;
-  for (std::size_t i = 0; i < maps.size(); ++i) mean += view.weights[i] * of_each[i];
-  return mean;
-}
-
 }  // namespace
 
 struct ReplayRecorder::Impl {
+  explicit Impl(const RecorderParams& p) : params(p), stride(p.updates_a_frame) {}
   void add(const slam::StepReport& report, const FilterView& view, std::string state);
+  void addCloud(const FilterView& view);
   void addFrame(const FilterView& view, bool pinned);
   void shrink();
   bool stateChanged() const;
@@ -49,8 +43,9 @@ struct ReplayRecorder::Impl {
   std::vector<ReplayMoment> pending;
   TileStore store;
   MapFilm film;
-  std::size_t stride = 1;  // updates from keyframe to keyframe
-  std::optional<double> map_entropy_at_s;
+  RunningEntropy map_entropy;
+  std::size_t cloud_stride = 1;  // updates from cloud to cloud
+  std::size_t stride;            // from keyframe to keyframe
 };
 
 void ReplayRecorder::Impl::add(const slam::StepReport& report, const FilterView& view,
@@ -64,11 +59,6 @@ void ReplayRecorder::Impl::add(const slam::StepReport& report, const FilterView&
   step.resampled = report.resampled;
   if (view.graph) step.unique_ancestors = report.unique_ancestors;
   step.pose_entropy = poseEntropy(view);
-  if (!map_entropy_at_s ||
-      std::abs(step.time_s - *map_entropy_at_s) >= params.map_entropy_every_s) {
-    step.map_entropy = mapEntropy(view);
-    map_entropy_at_s = step.time_s;
-  }
   step.map_from_robot = report.map_from_robot;
   step.loop_state = report.loop_state;
   step.state = std::move(state);
@@ -81,14 +71,24 @@ bool ReplayRecorder::Impl::stateChanged() const {
   return n > 1 && replay.steps[n - 1].loop_state != replay.steps[n - 2].loop_state;
 }
 
+void ReplayRecorder::Impl::addCloud(const FilterView& view) {
+  const std::size_t now = replay.steps.size() - 1;
+  if (now % cloud_stride != 0) return;
+  replay.clouds.push_back({now, drawnParticles(view, params.max_particles)});
+  if (replay.clouds.size() * replay.clouds.back().particles.size() <= params.max_clouded) return;
+  cloud_stride *= 2;
+  const auto goes = [&](const ReplayCloud& c) { return c.step % cloud_stride != 0; };
+  replay.clouds.erase(std::remove_if(replay.clouds.begin(), replay.clouds.end(), goes),
+                      replay.clouds.end());
+}
+
 void ReplayRecorder::Impl::addFrame(const FilterView& view, bool pinned) {
   const filter::Particle& best = *view.particles.at(view.best);
   ReplayFrame frame;
   frame.step = replay.steps.size() - 1;
   frame.pinned = pinned;
   frame.map = film.take(best.map, store);
-  frame.particles = drawnParticles(view, params.max_particles);
-  frame.particles_in_all = view.particles.size();
+  replay.steps.back().map_entropy = map_entropy.of(best.map);
   frame.path = drawnPath(best.ancestor, params.path_spacing_m);
   if (view.graph) frame.graph = drawnGraph(*view.graph);
   frame.scene = scene;
@@ -114,9 +114,8 @@ void ReplayRecorder::Impl::shrink() {
   } while (store.tiles().size() > params.max_tiles);
 }
 
-ReplayRecorder::ReplayRecorder(const RecorderParams& params) : impl_(std::make_unique<Impl>()) {
-  impl_->params = params;
-}
+ReplayRecorder::ReplayRecorder(const RecorderParams& params)
+    : impl_(std::make_unique<Impl>(params)) {}
 ReplayRecorder::~ReplayRecorder() = default;
 
 void ReplayRecorder::show(ReplayScene scene) { impl_->scene = std::move(scene); }
@@ -126,6 +125,7 @@ void ReplayRecorder::mark(ReplayMoment moment) { impl_->pending.push_back(std::m
 void ReplayRecorder::step(const slam::StepReport& report, const FilterView& view,
                           std::string state) {
   impl_->add(report, view, std::move(state));
+  impl_->addCloud(view);
   const std::size_t now = impl_->replay.steps.size() - 1;
   const bool stays = impl_->stateChanged() || !impl_->pending.empty();
   for (ReplayMoment& m : impl_->pending) {
@@ -142,7 +142,7 @@ Replay ReplayRecorder::finish(const FilterView& last) {
   if (steps > 0 && i.replay.frames.back().step + 1 != steps) i.addFrame(last, true);
   Replay done = std::move(i.replay);
   done.tiles = usedTiles(done.frames, i.store.tiles());
-  *impl_ = Impl{i.params, {}, {}, {}, {}, {}, 1, {}};
+  impl_ = std::make_unique<Impl>(RecorderParams(i.params));
   return done;
 }
 

@@ -1,7 +1,6 @@
 // Tiles of the drawn map, each kept once: particles that descend from one have most in common.
 #pragma once
 #include <cstddef>
-#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -18,7 +17,7 @@ class TileStore {
 
  private:
   std::vector<ReplayTile> tiles_;
-  std::unordered_map<std::string, std::uint32_t> numbers_;  // by content
+  std::unordered_multimap<std::uint64_t, std::uint32_t> numbers_;  // by a hash of the content
 };
 
 /// The pixels of a tile, one a byte, and back.

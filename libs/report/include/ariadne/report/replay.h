@@ -56,13 +56,17 @@ struct ReplayScene {
   std::optional<mrpt::math::TPoint2D> goal;
 };
 
-/// A keyframe: all that is drawn after one filter update.
-struct ReplayFrame {
-  std::size_t step = 0;         ///< index of Replay::steps
-  bool pinned = false;          ///< thinned out only when nothing else is left
-  std::vector<PlacedTile> map;  ///< of s*; row by row from the south
+/// The particles after one filter update.
+struct ReplayCloud {
+  std::size_t step = 0;  ///< index of Replay::steps
   std::vector<ReplayParticle> particles;
-  std::size_t particles_in_all = 0;         ///< of which `particles` may be a part
+};
+
+/// A keyframe: what else is drawn after one filter update.
+struct ReplayFrame {
+  std::size_t step = 0;                     ///< index of Replay::steps
+  bool pinned = false;                      ///< thinned out only when nothing else is left
+  std::vector<PlacedTile> map;              ///< of s*; row by row from the south
   std::vector<mrpt::math::TPoint2Df> path;  ///< of s*, from the start, thinned
   ReplayGraph graph;
   ReplayScene scene;
@@ -76,7 +80,7 @@ struct ReplayStep {
   bool resampled = false;
   std::optional<std::size_t> unique_ancestors;  ///< as slam::StepReport counts them
   double pose_entropy = 0;                      ///< nats, eval::gaussianEntropy
-  std::optional<double> map_entropy;            ///< nats, by weight; not at every update
+  std::optional<double> map_entropy;            ///< nats, of s*, known cells; at keyframes
   std::optional<double> error_m;                ///< distance of s* from the true position
   mrpt::math::TPose2D map_from_robot;           ///< s* as believed then
   std::optional<mrpt::math::TPose2D> truth;     ///< true map_from_robot
@@ -107,6 +111,7 @@ struct Replay {
   std::size_t particles = 0;       ///< N
   std::vector<ReplayStep> steps;
   std::vector<ReplayMoment> moments;  ///< in any order
+  std::vector<ReplayCloud> clouds;    ///< by step
   std::vector<ReplayFrame> frames;    ///< by step
   std::vector<ReplayTile> tiles;      ///< tile 0 is all unknown
   mrpt::math::TPoint2D map_origin;    ///< south west corner of tile (0, 0)

@@ -23,11 +23,12 @@ FilterView viewOf(const slam::Mapper& mapper);
 
 struct RecorderParams {
   std::size_t max_frames = 500;
-  std::size_t max_tiles = 30000;    ///< distinct ones, 256 bytes each
-  std::size_t max_particles = 200;  ///< drawn of one set; of more every n-th
-  int max_side_px = 1536;           ///< of the drawn map; a larger one gets larger pixels
-  double path_spacing_m = 0.2;      ///< between the drawn points of the path
-  double map_entropy_every_s = 1;   ///< by the clock of the data: it costs more than all the rest
+  std::size_t max_tiles = 30000;     ///< distinct ones, 256 bytes each
+  std::size_t max_particles = 200;   ///< drawn of one set; of more every n-th
+  int max_side_px = 1536;            ///< of the drawn map; a larger one gets larger pixels
+  double path_spacing_m = 0.2;       ///< between the drawn points of the path
+  std::size_t max_clouded = 250000;  ///< particles drawn in all of the run
+  std::size_t updates_a_frame = 4;   ///< at first; more for a long run
 };
 
 class ReplayRecorder {
