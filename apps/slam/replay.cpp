@@ -41,7 +41,9 @@ std::vector<std::string> notesOf(const RunResult& r, const report::Replay& repla
                   replay.frames.size(), replay.steps.size(), replay.clouds.size()),
       "The map is that of the best particle s*, Eq. (8), at that moment, and so is the path: both "
       "may jump when another particle becomes the best, or after a recovery.",
-      "Map entropy counts known cells only, so it grows with what was seen."};
+      "Map entropy is the sum over the known cells: what is seen for the first time adds to it, "
+      "what is "
+      "seen again takes from it."};
   if (r.truth)
     notes.push_back(fmt::format(
         "The true path lies where it fits the final path best (rotation and shift, {} poses), as "

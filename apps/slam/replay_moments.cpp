@@ -2,11 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
+
 namespace ariadne::slam_app {
 namespace {
 
 using report::MomentKind;
 using report::ReplayMoment;
+
+std::string sentence(std::string text) {
+  if (text.empty()) return text;
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text + ".";
+}
 
 ReplayMoment detectionOf(const slam::ClosingRecord& record) {
   const closing::Closing& c = record.closing;
@@ -33,9 +41,9 @@ ReplayMoment detectionOf(const slam::ClosingRecord& record) {
 
 ReplayMoment endOf(const slam::ClosingRecord& record) {
   const closing::Closing& c = record.closing;
-  ReplayMoment m{*c.ended, MomentKind::end, {}, c.end_reason, {}};
+  ReplayMoment m{*c.ended, MomentKind::end, {}, sentence(c.end_reason), {}};
   m.title = fmt::format(c.entered ? "Loop {}: closing ended" : "Loop {} given up", c.name);
-  if (!record.note.empty()) m.text += fmt::format(". No recovery: {}", record.note);
+  if (!record.note.empty()) m.text += fmt::format(" No recovery: {}.", record.note);
   const auto rule = [&](const char* name, const std::optional<double>& way_m) {
     if (way_m) m.table.push_back({name, fmt::format("{:.1f} m after the entry", *way_m)});
   };

@@ -33,14 +33,28 @@ function chartPlans(steps, particles) {
       curves: [{ label: "error, m", colour: "shortcut", values: steps.error }],
     },
   ];
-  return plans.filter((plan) => plan.curves.every((c) => !known(c.values)) === false);
+  return plans.filter((plan) => plan.curves.some((c) => known(c.values)));
+}
+
+/** Round distances between ticks, s and m. */
+const kRound = {
+  time: [1, 2, 5, 10, 20, 30, 60, 120, 300, 600, 1200, 1800, 3600, 7200, 14400, 28800, 86400],
+  distance: [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000],
+};
+
+/** Over time, unless one pause of the log takes most of it. */
+function firstAxis(time) {
+  const longest = time.reduce((most, t, i) => Math.max(most, i ? t - time[i - 1] : 0), 0);
+  return longest > (time[time.length - 1] - time[0]) / 2 && time.length > 3 ? "distance" : "time";
 }
 
 class Charts {
   constructor(replay, goTo) {
-    Object.assign(this, { replay, goTo, step: 0, x: replay.steps.time, charts: [] });
+    Object.assign(this, { replay, goTo, step: 0, x: replay.steps.time, format: clock, charts: [] });
     const place = document.getElementById("charts");
-    for (const plan of chartPlans(replay.steps, replay.particles)) {
+    const plans = chartPlans(replay.steps, replay.particles);
+    place.dataset.count = String(plans.length);
+    for (const plan of plans) {
       const canvas = element("canvas", { role: "img", "aria-label": `${plan.title} over the run` });
       place.append(element("section", { class: "chart card" }, element("h3", {}, plan.title), element("p", {}, plan.text), element("div", { class: "chart-box" }, canvas)));
       this.charts.push(new Chart(canvas, this.config(plan)));
@@ -56,9 +70,12 @@ class Charts {
   over(axis) {
     this.x = this.replay.steps[axis];
     this.format = axis === "time" ? clock : (v) => `${Number(v.toFixed(1))} m`;
+    const end = this.x[this.x.length - 1] || 1;
+    const step = kRound[axis].find((n) => n >= end / 8);
     for (const chart of this.charts) {
       chart.data.datasets.forEach((set) => (set.data = this.pointsOf(set.values)));
-      chart.options.scales.x.max = this.x[this.x.length - 1] || 1;
+      chart.options.scales.x.max = end;
+      chart.options.scales.x.ticks.stepSize = step;
       chart.update("none");
     }
   }
@@ -103,7 +120,7 @@ class Charts {
         interaction: { mode: "nearest", axis: "x", intersect: false },
         onClick: (event, active, chart) => this.goTo(this.stepAt(chart.scales.x.getValueForPixel(event.x))),
         plugins: {
-          legend: { display: plan.curves.length > 1, align: "start", labels: { boxWidth: 14, boxHeight: 2, usePointStyle: false } },
+          legend: { display: plan.curves.length > 1, align: "start", labels: { boxWidth: 22, usePointStyle: true } },
           decimation: { enabled: true, algorithm: "min-max" },
           tooltip: { callbacks: { title: (items) => (items.length ? this.format(items[0].parsed.x) : "") } },
         },
@@ -113,7 +130,7 @@ class Charts {
   }
 
   dataset(curve) {
-    const line = { borderWidth: 1.6, pointRadius: 0, pointHitRadius: 0 };
+    const line = { borderWidth: 1.6, pointStyle: "line", pointRadius: 0, pointHitRadius: 0 };
     const points = { showLine: false, pointStyle: "triangle", pointRadius: 4, borderWidth: 1 };
     return { label: curve.label, colour: curve.colour, values: curve.values, data: [], yAxisID: curve.axis || "y", ...(curve.points ? points : line) };
   }

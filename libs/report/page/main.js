@@ -80,8 +80,9 @@ async function start() {
   player.show(0);
   makeLayers(replay, scene, redraw);
   charts.recolour();
-  charts.over("time");
   const axis = document.getElementById("axis");
+  axis.value = firstAxis(replay.steps.time);
+  charts.over(axis.value);
   axis.addEventListener("change", () => charts.over(axis.value));
   document.getElementById("zoom-in").addEventListener("click", () => view.zoomBy(1.5));
   document.getElementById("zoom-out").addEventListener("click", () => view.zoomBy(1 / 1.5));

@@ -85,7 +85,9 @@ class Scene {
   truth(frame, step) {
     const { truth } = this.replay.steps;
     this.line(truth.slice(0, step + 1).flatMap((p) => (p ? [100 * p.x, 100 * p.y] : [])));
+    this.context.setLineDash([7 * this.unit, 5 * this.unit]);
     this.context.stroke();
+    this.context.setLineDash([]);
     if (truth[step]) this.robot(truth[step], false);
   }
 

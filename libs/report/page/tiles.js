@@ -33,7 +33,7 @@ class TiledMap {
 
   /** Takes the style sheet's colours anew; all tiles are drawn again with the next table. */
   recolour() {
-    const probe = element("canvas", { width: 1, height: 1 }).getContext("2d");
+    const probe = element("canvas", { width: 1, height: 1 }).getContext("2d", { willReadFrequently: true });
     this.colours = ["unknown", "free", "occupied"].map((name) => {
       probe.fillStyle = colour(name);
       probe.fillRect(0, 0, 1, 1);
