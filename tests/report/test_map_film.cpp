@@ -8,6 +8,7 @@
 
 #include "ariadne/io/whole_file.h"
 #include "map_film.h"
+#include "map_halving.h"
 #include "replay_fixture.h"
 #include "thinning.h"
 #include "tile_atlas.h"

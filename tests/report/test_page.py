@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """test_page.py MAKE_PAGES: report.html in a browser, as somebody would use it."""
+import hashlib
 import json
 import pathlib
 import subprocess
@@ -74,10 +75,11 @@ class Page(unittest.TestCase):
         return int(self.get("#slider").get_attribute("max"))
 
     def picture(self, canvas="#map"):
-        """The canvas' pixels once it has been drawn."""
-        return self.browser.execute_async_script(
+        """A digest of the canvas' pixels once it has been drawn."""
+        pixels = self.browser.execute_async_script(
             "const done = arguments[1]; requestAnimationFrame(() => requestAnimationFrame(() => "
             "done(document.querySelector(arguments[0]).toDataURL())))", canvas)
+        return hashlib.sha256(pixels.encode()).hexdigest()
 
     def test_keys_step_and_the_moment_changes(self):
         self.open("full.html")

@@ -1,53 +1,5 @@
 // Curves by Chart.js, with one cursor at the chosen moment.
 
-/** Curves of the report; `curves` are drawn as far as the replay has values. */
-function chartPlans(steps, particles) {
-  const plans = [
-    {
-      title: "Effective number of particles",
-      text: `Neff, Eq. (10), before resampling; triangles: resampled. ${particles} particles.`,
-      most: particles,
-      curves: [
-        { label: "Neff", colour: "path", values: steps.neff },
-        { label: "resampled", colour: "particles", values: steps.neff.map((v, i) => (steps.resampled[i] ? v : null)), points: true },
-      ],
-    },
-    {
-      title: "Coalescence",
-      text: "Unique ancestors: of the set at te of the open closing, else c2 of way ago. Copies that a recovery made count apart.",
-      most: particles,
-      curves: [{ label: "unique ancestors", colour: "truth", values: steps.ancestors }],
-    },
-    {
-      title: "Entropy, Eq. (6)",
-      text: "Of the pose: Gaussian fit of the particles, left scale. Of the map: known cells of s*, which stands for the mean over the particles; right scale.",
-      curves: [
-        { label: "pose, nats", colour: "path", values: steps.poseEntropy },
-        { label: "map, nats", colour: "graph", values: steps.mapEntropy, axis: "y2" },
-      ],
-    },
-    {
-      title: "Error to the truth",
-      text: "Distance of s*, as believed at that moment, from the true position, m.",
-      most: 0.1,
-      curves: [{ label: "error, m", colour: "shortcut", values: steps.error }],
-    },
-  ];
-  return plans.filter((plan) => plan.curves.some((c) => known(c.values)));
-}
-
-/** Round distances between ticks, s and m. */
-const kRound = {
-  time: [1, 2, 5, 10, 20, 30, 60, 120, 300, 600, 1200, 1800, 3600, 7200, 14400, 28800, 86400],
-  distance: [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000],
-};
-
-/** Over time, unless one pause of the log takes most of it. */
-function firstAxis(time) {
-  const longest = time.reduce((most, t, i) => Math.max(most, i ? t - time[i - 1] : 0), 0);
-  return longest > (time[time.length - 1] - time[0]) / 2 && time.length > 3 ? "distance" : "time";
-}
-
 class Charts {
   constructor(replay, goTo) {
     Object.assign(this, { replay, goTo, step: 0, x: replay.steps.time, format: clock, charts: [] });
@@ -125,7 +77,7 @@ class Charts {
           tooltip: { callbacks: { title: (items) => (items.length ? this.format(items[0].parsed.x) : "") } },
         },
       },
-      plugins: [{ beforeDatasetsDraw: (chart) => this.drawBands(chart), afterDatasetsDraw: (chart) => this.drawCursor(chart) }],
+      plugins: [new Marks(this)],
     };
   }
 
@@ -133,41 +85,5 @@ class Charts {
     const line = { borderWidth: 1.6, pointStyle: "line", pointRadius: 0, pointHitRadius: 0 };
     const points = { showLine: false, pointStyle: "triangle", pointRadius: 4, borderWidth: 1 };
     return { label: curve.label, colour: curve.colour, values: curve.values, data: [], yAxisID: curve.axis || "y", ...(curve.points ? points : line) };
-  }
-
-  /** What the loop state was, and a line at every moment. */
-  drawBands(chart) {
-    const { ctx, chartArea: area, scales } = chart;
-    const { loop, count } = this.replay.steps;
-    ctx.save();
-    loop.forEach(([from, state], i) => {
-      if (state === 0) return;
-      const to = i + 1 < loop.length ? loop[i + 1][0] : count - 1;
-      const left = scales.x.getPixelForValue(this.x[from]);
-      ctx.fillStyle = colour(state === 1 ? "approaching" : "closing");
-      ctx.fillRect(left, area.top, Math.max(scales.x.getPixelForValue(this.x[to]) - left, 1), area.height);
-    });
-    ctx.setLineDash([2, 3]);
-    for (const moment of this.replay.moments) {
-      ctx.strokeStyle = colour(moment.kind);
-      this.drawLine(chart, moment.step);
-    }
-    ctx.restore();
-  }
-
-  drawCursor(chart) {
-    chart.ctx.save();
-    chart.ctx.strokeStyle = colour("text");
-    chart.ctx.lineWidth = 1.5;
-    this.drawLine(chart, this.step);
-    chart.ctx.restore();
-  }
-
-  drawLine({ ctx, chartArea, scales }, step) {
-    const x = scales.x.getPixelForValue(this.x[step]);
-    ctx.beginPath();
-    ctx.moveTo(x, chartArea.top);
-    ctx.lineTo(x, chartArea.bottom);
-    ctx.stroke();
   }
 }

@@ -27,10 +27,4 @@ class MapFilm {
   std::vector<std::uint32_t> numbers_;  // of their tiles, row by row
 };
 
-/// Longer side of the box around the tiles, pixels.
-int sideOf(const std::vector<PlacedTile>& map);
-
-/// The same maps with 2 x 2 pixels made one; as if drawn at the next level.
-void halve(std::vector<ReplayFrame>& frames, TileStore& store);
-
 }  // namespace ariadne::report

@@ -7,6 +7,7 @@
 #include "ariadne/eval/pose_entropy.h"
 #include "drawn_parts.h"
 #include "map_film.h"
+#include "map_halving.h"
 #include "running_entropy.h"
 #include "thinning.h"
 
