@@ -57,6 +57,22 @@ void compare(RunResult& result, models::Trajectory truth, const std::string& fil
         fmt::format("{} has no pose at any time of the log: nothing is compared with it", file));
 }
 
+/// All that mapping came to but truth and replay.
+RunResult resultOf(MappingRecord record, const slam::Mapper& mapper, const io::StepSource& source,
+                   const ResolvedConfig& resolved) {
+  RunResult result;
+  result.record = std::move(record);
+  result.config = resolved.config;
+  result.stages = mapper.times();
+  result.path = mapper.path();
+  result.closings = mapper.closings();
+  result.counts = source.counts();
+  result.laser_label = source.laserLabel();
+  result.warnings = resolved.warnings;
+  for (const std::string& w : source.warnings()) result.warnings.push_back(w);
+  return result;
+}
+
 /// Maps and writes. Returns the exit code.
 int mapDataset(const Options& options, ResolvedConfig resolved, std::ostream& out,
                std::ostream& err) {
@@ -79,28 +95,20 @@ int mapDataset(const Options& options, ResolvedConfig resolved, std::ostream& ou
   slam::Mapper mapper(config.slam, config.run.threads);
   io::prepareOutputFolder(config.run.out, outputNames(config), options.overwrite);
   Progress progress(err, progressStyle(options, err));
-  RunResult result;
   report::ReplayRecorder recorder;
-  result.record =
+  MappingRecord record =
       mapSteps(*source, mapper, interrupt, progress, recordingOf(config, mapper, recorder));
-  result.record.reading_s += opened.count();
-  result.record.total_s += opened.count();
+  record.reading_s += opened.count();
+  record.total_s += opened.count();
   if (mapper.updates() == 0)
     throw core::Error(fmt::format(
         "{}: {}: nothing to map", config.dataset.file,
-        result.record.signal != 0 ? "stopped before the first scan" : "no scan that can be used"));
+        record.signal != 0 ? "stopped before the first scan" : "no scan that can be used"));
   warn(err, source->warnings());
-  if (result.record.signal != 0)
+  if (record.signal != 0)
     fmt::print(err, "ariadne-slam: stopped after {} scans ({:.0f} % of the log); writing these\n",
-               result.record.odometry.size(), 100 * source->fraction());
-  result.config = config;
-  result.stages = mapper.times();
-  result.path = mapper.path();
-  result.closings = mapper.closings();
-  result.counts = source->counts();
-  result.laser_label = source->laserLabel();
-  result.warnings = resolved.warnings;
-  for (const std::string& w : source->warnings()) result.warnings.push_back(w);
+               record.odometry.size(), 100 * source->fraction());
+  RunResult result = resultOf(std::move(record), mapper, *source, resolved);
   const std::size_t told_already = result.warnings.size();
   for (const std::string& w : loopWarnings(result.closings)) result.warnings.push_back(w);
   compare(result, std::move(truth), options.truth);

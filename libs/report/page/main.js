@@ -88,6 +88,7 @@ async function start() {
   document.getElementById("zoom-out").addEventListener("click", () => view.zoomBy(1 / 1.5));
   document.getElementById("zoom-fit").addEventListener("click", () => view.fit());
   window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+    colours.clear();
     scene.recolour();
     charts.recolour();
     redraw();
