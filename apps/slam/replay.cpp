@@ -13,6 +13,7 @@ namespace {
 
 std::string durationOf(const models::Trajectory& odometry) {
   const auto s = static_cast<long>(odometry.back().time_s - odometry.front().time_s + 0.5);
+  if (s >= 3600) return fmt::format("{}:{:02}:{:02} h", s / 3600, s / 60 % 60, s % 60);
   return fmt::format("{}:{:02} min", s / 60, s % 60);
 }
 

@@ -124,6 +124,14 @@ class Page(unittest.TestCase):
         item.find_element(By.TAG_NAME, "summary").click()
         self.assertIn("utility", item.find_element(By.TAG_NAME, "table").text)
 
+    def test_curves_over_time_or_distance_have_round_ticks(self):
+        self.open("full.html")
+        ticks = ("return Chart.getChart(document.querySelector('.chart canvas'))"
+                 ".scales.x.ticks.map((t) => t.label)")
+        self.assertEqual(self.browser.execute_script(ticks)[:3], ["0:00", "0:20", "0:40"])
+        self.get("#axis").send_keys("d")
+        self.assertEqual(self.browser.execute_script(ticks)[:3], ["0 m", "10 m", "20 m"])
+
     def test_a_click_in_a_chart_jumps_there(self):
         self.open("full.html")
         canvas = self.get(".chart canvas")

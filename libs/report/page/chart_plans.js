@@ -42,6 +42,12 @@ const kRound = {
   distance: [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000],
 };
 
+/** About eight ticks from 0 to `end`. */
+function roundTicks(axis, end) {
+  const step = kRound[axis].find((n) => n >= end / 8) || end / 8;
+  return Array.from({ length: Math.floor(end / step) + 1 }, (_, i) => i * step);
+}
+
 /** Over time, unless one pause of the log takes most of it. */
 function firstAxis(time) {
   const longest = time.reduce((most, t, i) => Math.max(most, i ? t - time[i - 1] : 0), 0);

@@ -23,11 +23,12 @@ class Charts {
     this.x = this.replay.steps[axis];
     this.format = axis === "time" ? clock : (v) => `${Number(v.toFixed(1))} m`;
     const end = this.x[this.x.length - 1] || 1;
-    const step = kRound[axis].find((n) => n >= end / 8);
+    const ticks = roundTicks(axis, end);
     for (const chart of this.charts) {
       chart.data.datasets.forEach((set) => (set.data = this.pointsOf(set.values)));
       chart.options.scales.x.max = end;
-      chart.options.scales.x.ticks.stepSize = step;
+      // Chart.js itself moves ticks off round values so that one comes to lie at the end.
+      chart.options.scales.x.afterBuildTicks = (scale) => (scale.ticks = ticks.map((value) => ({ value })));
       chart.update("none");
     }
   }
