@@ -33,7 +33,8 @@ void visitFields(V& v, RunParams& p) {
   v.number("threads", p.threads, {0, 256}, "0 is one a core; the result is the same on any number");
   v.text("out", p.out,
          "folder to write to, from the current one; empty: ariadne-<dataset>-<date>-<time>");
-  v.flag("pictures", p.pictures, "write the PNG files: overview, map, topology, coalescence");
+  v.flag("pictures", p.pictures,
+         "write report.html and the PNG files: overview, map, topology, coalescence");
 }
 
 struct SlamConfig {

@@ -14,7 +14,7 @@ double secondsSince(Clock::time_point start) {
 }  // namespace
 
 MappingRecord mapSteps(io::StepSource& source, slam::Mapper& mapper, const Interrupt& interrupt,
-                       Progress& progress) {
+                       Progress& progress, const UpdateListener& listener) {
   MappingRecord record;
   const Clock::time_point start = Clock::now();
   while ((record.signal = interrupt.signal()) == 0) {
@@ -25,6 +25,9 @@ MappingRecord mapSteps(io::StepSource& source, slam::Mapper& mapper, const Inter
     record.odometry.push_back({step->time_s, step->odom_from_robot});
     if (const auto report = mapper.process(*step)) {
       record.reports.push_back(*report);
+      const Clock::time_point before_listening = Clock::now();
+      listener(*report);
+      record.recording_s += secondsSince(before_listening);
       progress.update(source.fraction(), record.odometry.size(), report->neff, report->particles);
     }
   }

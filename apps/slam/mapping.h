@@ -1,5 +1,6 @@
 // The run itself: every step of a dataset through the mapper.
 #pragma once
+#include <functional>
 #include <vector>
 
 #include "ariadne/io/dataset.h"
@@ -14,12 +15,16 @@ struct MappingRecord {
   std::vector<slam::StepReport> reports;  ///< one a filter update
   models::Trajectory odometry;            ///< odom_from_robot at every step
   double reading_s = 0;                   ///< wall clock, within total_s
+  double recording_s = 0;                 ///< the listener's, within total_s
   double total_s = 0;
   int signal = 0;  ///< that stopped the run early, 0 if none
 };
 
+/// Called after each filter update.
+using UpdateListener = std::function<void(const slam::StepReport&)>;
+
 /// Maps until the steps end or a signal comes.
 MappingRecord mapSteps(io::StepSource& source, slam::Mapper& mapper, const Interrupt& interrupt,
-                       Progress& progress);
+                       Progress& progress, const UpdateListener& listener);
 
 }  // namespace ariadne::slam_app

@@ -23,6 +23,7 @@ constexpr const char* kFooter =
     "  ariadne-slam ini/slam/carmen.ini intel.clf.gz --out intel --particles 50 --seed 7\n"
     "  ariadne-slam ini/slam/carmen.ini fr079.log --set grid.resolution_m=0.1 --threads 1\n"
     "  ariadne-slam ini/slam/sena.ini --print-config > mine.ini\n"
+    "  ariadne-slam ini/slam/carmen.ini drive.rawlog --truth drive.rawlog.truth.tum\n"
     "Exit code: 0 fine, 1 the run failed, 2 wrong use, 130 stopped by Ctrl-C, 143 by SIGTERM.";
 
 void declare(CLI::App& app, Options& o) {
@@ -37,9 +38,11 @@ void declare(CLI::App& app, Options& o) {
   app.add_option("--seed", o.seed, "same seed, same result, on any number of threads");
   app.add_option("--threads", o.threads, "0: one a core");
   app.add_option("--out", o.out, "folder to write to; default: ariadne-<dataset>-<date>-<time>");
+  app.add_option("--truth", o.truth,
+                 "true path as a TUM file, for report.html and ate_rmse_m in summary.json only");
   app.add_flag("--overwrite", o.overwrite,
                "replace the files of an earlier run in that folder; others stay");
-  app.add_flag("--no-pictures", o.no_pictures, "write no PNG files");
+  app.add_flag("--no-pictures", o.no_pictures, "write no PNG files and no report.html");
   app.add_flag("--print-config", o.print_config, "print the resolved INI and stop");
   app.add_flag("--print-parameters", o.print_parameters,
                "print the page of all parameters (Markdown) and stop");

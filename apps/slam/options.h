@@ -16,6 +16,7 @@ struct Options {
   std::optional<std::string> seed;
   std::optional<std::string> threads;
   std::optional<std::string> out;
+  std::string truth;  ///< TUM file; empty: none is known
   bool no_pictures = false;
   bool overwrite = false;
   bool print_config = false;

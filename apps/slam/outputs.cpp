@@ -13,6 +13,7 @@
 #include "ariadne/io/tum.h"
 #include "ariadne/io/whole_file.h"
 #include "ariadne/report/overview.h"
+#include "ariadne/report/report_page.h"
 #include "loop_pictures.h"
 #include "loops_json.h"
 #include "steps_csv.h"
@@ -75,6 +76,10 @@ const std::vector<Output>& allOutputs() {
                                         m.result.config.slam.loop_closing.opportunity));
        }},
       {{"config.ini"}, "all parameters of this run, each explained", false, writeConfig},
+      {{"report.html"},
+       "the run to replay in a browser: map, particles, path, loops, curves",
+       true,
+       [](const fs::path& file, const Material& m) { report::writeReport(file, m.result.replay); }},
       {{"overview.png"},
        "picture of the path on the map: look at this first",
        true,

@@ -12,6 +12,7 @@
 #include "ariadne/core/error.h"
 #include "ariadne/io/ini_writer.h"
 #include "ariadne/io/output_folder.h"
+#include "ariadne/io/tum.h"
 #include "config.h"
 #include "loop_counts.h"
 #include "loops_json.h"
@@ -19,6 +20,8 @@
 #include "options.h"
 #include "outputs.h"
 #include "parameters_page.h"
+#include "replay.h"
+#include "truth.h"
 
 namespace ariadne {
 namespace {
@@ -45,6 +48,31 @@ void printResult(std::ostream& out, const RunResult& result) {
              loops.detected, loops.closed, loops.recovered);
 }
 
+/// Lays the truth over the path of the result; a warning when it is of another time.
+void compare(RunResult& result, models::Trajectory truth, const std::string& file) {
+  if (truth.empty()) return;
+  result.truth = fitTruth(result.path, std::move(truth));
+  if (!result.truth)
+    result.warnings.push_back(
+        fmt::format("{} has no pose at any time of the log: nothing is compared with it", file));
+}
+
+/// All that mapping came to but truth and replay.
+RunResult resultOf(MappingRecord record, const slam::Mapper& mapper, const io::StepSource& source,
+                   const ResolvedConfig& resolved) {
+  RunResult result;
+  result.record = std::move(record);
+  result.config = resolved.config;
+  result.stages = mapper.times();
+  result.path = mapper.path();
+  result.closings = mapper.closings();
+  result.counts = source.counts();
+  result.laser_label = source.laserLabel();
+  result.warnings = resolved.warnings;
+  for (const std::string& w : source.warnings()) result.warnings.push_back(w);
+  return result;
+}
+
 /// Maps and writes. Returns the exit code.
 int mapDataset(const Options& options, ResolvedConfig resolved, std::ostream& out,
                std::ostream& err) {
@@ -57,6 +85,8 @@ int mapDataset(const Options& options, ResolvedConfig resolved, std::ostream& ou
   if (std::error_code ignored; !std::filesystem::exists(config.dataset.file, ignored))
     throw core::Error(fmt::format("there is no log {}; to map another, name it behind CONFIG",
                                   config.dataset.file));
+  models::Trajectory truth;
+  if (!options.truth.empty()) truth = io::readTum(options.truth);
 
   const Interrupt interrupt;
   const auto opening = std::chrono::steady_clock::now();
@@ -65,29 +95,26 @@ int mapDataset(const Options& options, ResolvedConfig resolved, std::ostream& ou
   slam::Mapper mapper(config.slam, config.run.threads);
   io::prepareOutputFolder(config.run.out, outputNames(config), options.overwrite);
   Progress progress(err, progressStyle(options, err));
-  RunResult result;
-  result.record = mapSteps(*source, mapper, interrupt, progress);
-  result.record.reading_s += opened.count();
-  result.record.total_s += opened.count();
+  report::ReplayRecorder recorder;
+  MappingRecord record =
+      mapSteps(*source, mapper, interrupt, progress, recordingOf(config, mapper, recorder));
+  record.reading_s += opened.count();
+  record.total_s += opened.count();
   if (mapper.updates() == 0)
     throw core::Error(fmt::format(
         "{}: {}: nothing to map", config.dataset.file,
-        result.record.signal != 0 ? "stopped before the first scan" : "no scan that can be used"));
+        record.signal != 0 ? "stopped before the first scan" : "no scan that can be used"));
   warn(err, source->warnings());
-  if (result.record.signal != 0)
+  if (record.signal != 0)
     fmt::print(err, "ariadne-slam: stopped after {} scans ({:.0f} % of the log); writing these\n",
-               result.record.odometry.size(), 100 * source->fraction());
-  result.config = config;
-  result.stages = mapper.times();
-  result.path = mapper.path();
-  result.closings = mapper.closings();
-  result.counts = source->counts();
-  result.laser_label = source->laserLabel();
-  result.warnings = resolved.warnings;
-  for (const std::string& w : source->warnings()) result.warnings.push_back(w);
-  const std::vector<std::string> of_loops = loopWarnings(result.closings);
-  warn(err, of_loops);
-  result.warnings.insert(result.warnings.end(), of_loops.begin(), of_loops.end());
+               record.odometry.size(), 100 * source->fraction());
+  RunResult result = resultOf(std::move(record), mapper, *source, resolved);
+  const std::size_t told_already = result.warnings.size();
+  for (const std::string& w : loopWarnings(result.closings)) result.warnings.push_back(w);
+  compare(result, std::move(truth), options.truth);
+  warn(err, {result.warnings.begin() + static_cast<std::ptrdiff_t>(told_already),
+             result.warnings.end()});
+  if (config.run.pictures) result.replay = replayOf(recorder, mapper, result);
 
   std::ostream nowhere(nullptr);
   std::ostream& told = options.quiet ? nowhere : out;

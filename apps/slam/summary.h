@@ -1,11 +1,14 @@
 // summary.json: the figures of a run, what made them and what they cost.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "ariadne/io/dataset.h"
+#include "ariadne/report/replay.h"
 #include "config.h"
 #include "mapping.h"
+#include "truth.h"
 
 namespace ariadne::slam_app {
 
@@ -19,6 +22,8 @@ struct RunResult {
   io::DatasetCounts counts;
   std::string laser_label;
   std::vector<std::string> warnings;
+  std::optional<TruthFit> truth;  ///< where a true path was given
+  report::Replay replay;          ///< empty where no report is wanted
 };
 
 /// Sum of the distances between successive poses, m.

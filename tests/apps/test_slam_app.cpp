@@ -10,9 +10,9 @@ namespace fs = std::filesystem;
 using ariadne::io::readWhole;
 
 const std::vector<std::string> kFiles = {
-    "trajectory.tum", "odometry.tum",   "steps.csv",     "config.ini",      "overview.png",
-    "map.png",        "loops.json",     "topology.png",  "coalescence.png", "map.pgm",
-    "map.yaml",       "map.gridmap.gz", "map.simplemap", "summary.json"};
+    "trajectory.tum", "odometry.tum", "steps.csv",      "config.ini",    "overview.png",
+    "report.html",    "map.png",      "loops.json",     "topology.png",  "coalescence.png",
+    "map.pgm",        "map.yaml",     "map.gridmap.gz", "map.simplemap", "summary.json"};
 
 std::size_t lines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
 
@@ -165,7 +165,8 @@ TEST_F(SlamApp, QuietPrintsNothingAndPicturesCanBeLeftOut) {
   EXPECT_EQ(out + err, "");
   EXPECT_FALSE(fs::exists(folder / "out/map.png"));
   EXPECT_FALSE(fs::exists(folder / "out/overview.png"));
-  EXPECT_EQ(filesIn(folder / "out"), kFiles.size() - 4);
+  EXPECT_FALSE(fs::exists(folder / "out/report.html"));
+  EXPECT_EQ(filesIn(folder / "out"), kFiles.size() - 5);
 }
 
 TEST_F(SlamApp, TakesStockInis) {

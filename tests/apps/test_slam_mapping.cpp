@@ -33,7 +33,8 @@ TEST(SlamAppInterrupt, StopsAfterTheStepAndKeepsWhatThereIs) {
   std::ostringstream nowhere;
   slam_app::Progress progress(nowhere, slam_app::ProgressStyle::none);
   Endless source;
-  const auto record = slam_app::mapSteps(source, mapper, interrupt, progress);
+  const auto record =
+      slam_app::mapSteps(source, mapper, interrupt, progress, [](const slam::StepReport&) {});
   EXPECT_EQ(record.signal, SIGINT);
   EXPECT_EQ(record.odometry.size(), 4U);
 }

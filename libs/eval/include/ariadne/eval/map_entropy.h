@@ -22,6 +22,10 @@ struct CountedCells {
 /// Entropy of a map, nats. It scales with the number of cells: compare maps of one resolution only.
 double mapEntropy(const grid::OccupancyGrid& map, const CountedCells& cells = {});
 
+/// The part of mapEntropy() (without a box) that one tile makes: for sums that are kept up to date
+/// tile by tile.
+double tileEntropy(const grid::TiledPlane<std::int8_t>::Tile& tile);
+
 /// As mapEntropy() for each (not null); tiles that the maps share are summed once.
 std::vector<double> mapEntropies(const std::vector<const grid::OccupancyGrid*>& maps,
                                  const CountedCells& cells = {});

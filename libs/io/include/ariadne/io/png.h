@@ -1,5 +1,5 @@
-// 8-bit PNG pictures by libpng, quickly: a map is written at the end of every run, so compression
-// is at its lowest.
+// PNG pictures by libpng. Those of 8 bits quickly: a map is written at the end of every run, so
+// compression is at its lowest.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -9,8 +9,10 @@ namespace ariadne::io {
 /// Somebody else's pixels.
 struct Picture {
   enum class Format {
-    gray,      ///< one byte a pixel
-    cairo_rgb  ///< CAIRO_FORMAT_RGB24 of a little-endian machine: blue, green, red, unused
+    gray,          ///< one byte a pixel
+    cairo_rgb,     ///< CAIRO_FORMAT_RGB24 of a little-endian machine: blue, green, red, unused
+    two_bit_gray,  ///< four pixels a byte, the first in the highest bits; compressed as far as it
+                   ///< goes
   };
   std::uint32_t width = 0;
   std::uint32_t height = 0;

@@ -1,0 +1,107 @@
+#include "replay_moments.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+
+namespace ariadne::slam_app {
+namespace {
+
+using report::MomentKind;
+using report::ReplayMoment;
+
+std::string sentence(std::string text) {
+  if (text.empty()) return text;
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text + ".";
+}
+
+ReplayMoment detectionOf(const slam::ClosingRecord& record) {
+  const closing::Closing& c = record.closing;
+  const topology::LoopOpportunity& o = c.opportunity;
+  ReplayMoment m{
+      c.detected, MomentKind::detection, fmt::format("Loop {} detected", c.name), {}, {}};
+  m.text = fmt::format("Its entry is {:.1f} m away by the map and {:.1f} m by the graph.",
+                       o.dist_m_m, o.dist_g_m);
+  m.table = {{"what", "value"},
+             {"places in I(s*), Eq. (7)", fmt::format("{}", o.places)},
+             {"dist_m to the entry", fmt::format("{:.2f} m", o.dist_m_m)},
+             {"dist_G to the entry", fmt::format("{:.2f} m", o.dist_g_m)},
+             {"entry", fmt::format("({:.2f}, {:.2f}) m", c.entry_position.x, c.entry_position.y)},
+             {"te, Eq. (9)", fmt::format("update {}", o.te)},
+             {"way around the loop", fmt::format("{:.1f} m", c.course.loop_length_m)}};
+  if (record.saving) {
+    m.table.push_back({"saved particles", fmt::format("{}", record.saving->entries)});
+    m.table.push_back(
+        {"distinct ancestors at te",
+         fmt::format("{} of {}", record.saving->distinct_ancestors, record.saving->existed)});
+  }
+  return m;
+}
+
+ReplayMoment endOf(const slam::ClosingRecord& record) {
+  const closing::Closing& c = record.closing;
+  ReplayMoment m{*c.ended, MomentKind::end, {}, sentence(c.end_reason), {}};
+  m.title = fmt::format(c.entered ? "Loop {}: closing ended" : "Loop {} given up", c.name);
+  if (!record.note.empty()) m.text += fmt::format(" No recovery: {}.", record.note);
+  const auto rule = [&](const char* name, const std::optional<double>& way_m) {
+    if (way_m) m.table.push_back({name, fmt::format("{:.1f} m after the entry", *way_m)});
+  };
+  rule("the rule on Neff would end it", c.neff_rule_m);
+  rule("the rule on the slope of ln Neff", c.slope_rule_m);
+  if (!m.table.empty()) m.table.insert(m.table.begin(), {"what", "value"});
+  return m;
+}
+
+ReplayMoment recoveryOf(const slam::ClosingRecord& record) {
+  const slam::RecoveryRecord& r = *record.recovery;
+  ReplayMoment m{r.update,
+                 MomentKind::recovery,
+                 fmt::format("Loop {}: diversity recovered", record.closing.name),
+                 {},
+                 {}};
+  m.text = fmt::format("Distinct ancestors at te: {} before, {} after.", r.distinct_before,
+                       r.distinct_after);
+  m.table = {{"what", "value"},
+             {"ways through the loop that were drawn", fmt::format("{}", r.distinct_sources)},
+             {"wall clock", fmt::format("{:.0f} ms", 1000 * r.seconds)}};
+  return m;
+}
+
+}  // namespace
+
+std::vector<ReplayMoment> momentsOf(const std::vector<slam::ClosingRecord>& closings) {
+  std::vector<ReplayMoment> moments;
+  for (const slam::ClosingRecord& record : closings) {
+    const closing::Closing& c = record.closing;
+    moments.push_back(detectionOf(record));
+    if (c.entered)
+      moments.push_back({*c.entered,
+                         MomentKind::entry,
+                         fmt::format("Loop {}: entry reached", c.name),
+                         "From here on the robot is where it has been.",
+                         {}});
+    if (c.ended) moments.push_back(endOf(record));
+    if (record.recovery) moments.push_back(recoveryOf(record));
+  }
+  return moments;
+}
+
+std::string stateInWords(const slam::StepReport& report) {
+  const std::string entry =
+      report.dist_m && report.dist_g
+          ? fmt::format(": entry {:.1f} m away by the map, {:.1f} m by the graph", *report.dist_m,
+                        *report.dist_g)
+          : "";
+  switch (report.loop_state) {
+    case closing::LoopState::approaching:
+      return "A loop is detected" + entry;
+    case closing::LoopState::closing:
+      return "Closing a loop, among known places";
+    case closing::LoopState::exploring:
+      break;
+  }
+  return "No loop is being closed";
+}
+
+}  // namespace ariadne::slam_app

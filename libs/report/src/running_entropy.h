@@ -1,0 +1,21 @@
+// The entropy of one map after the other, where each differs little from the one before.
+#pragma once
+#include <vector>
+
+#include "ariadne/grid/occupancy_grid.h"
+
+namespace ariadne::report {
+
+class RunningEntropy {
+ public:
+  /// eval::mapEntropy() of the known cells, nats; only tiles that changed since the last map are
+  /// summed anew.
+  double of(const grid::OccupancyGrid& map);
+
+ private:
+  grid::OccupancyGrid before_;  // held, so that a tile at the same address has not changed
+  grid::CellBox box_;           // of tiles
+  std::vector<double> tiles_;   // of `before_`, row by row
+};
+
+}  // namespace ariadne::report
