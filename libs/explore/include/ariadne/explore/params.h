@@ -1,0 +1,63 @@
+// Parameters of exploration: the robot as it knows itself, and how it decides.
+#pragma once
+#include "ariadne/core/fields.h"
+
+namespace ariadne::explore {
+
+/// What the robot does about loops; which rule ends a closing and whether diversity is recovered
+/// are set in the mapping's parameters to match, see applyStrategy().
+enum class Strategy { frontier, active_uncertainty, active_neff, active_neff_recovery };
+
+enum class FrontierChoice { nearest, utility };
+
+struct ExploreParams {
+  Strategy strategy = Strategy::active_neff_recovery;
+  FrontierChoice frontier_choice = FrontierChoice::nearest;
+  double gain_m_per_m = 1;
+  double robot_radius_m = 0.2;
+  double clearance_m = 0.08;
+  double preferred_clearance_m = 0.5;
+  double planning_cell_m = 0.1;
+  double speed_m_s = 0.6;
+  double turn_deg_s = 60;
+  int giveup = 3;
+  double max_laps = 2;
+  double max_distance_m = 2000;
+  double max_time_s = 7200;
+  bool drive_home = false;
+};
+
+template <class V>
+void visitFields(V& v, ExploreParams& p) {
+  v.choice("strategy", p.strategy,
+           core::Choices<Strategy>{{"frontier", Strategy::frontier},
+                                   {"active_uncertainty", Strategy::active_uncertainty},
+                                   {"active_neff", Strategy::active_neff},
+                                   {"active_neff_recovery", Strategy::active_neff_recovery}},
+           "what is done about loops: nothing; closed until the pose is as certain as at the entry "
+           "[19]; closed until Neff is constant; the same, and diversity recovered (the paper's)");
+  v.choice("frontier_choice", p.frontier_choice,
+           core::Choices<FrontierChoice>{{"nearest", FrontierChoice::nearest},
+                                         {"utility", FrontierChoice::utility}},
+           "which frontier is next: the one with the shortest way, or the one with the most "
+           "gain_m_per_m * width - way");
+  v.number("gain_m_per_m", p.gain_m_per_m, {0, 1000},
+           "metres of way that a metre of frontier is worth, for frontier_choice = utility");
+  v.number("robot_radius_m", p.robot_radius_m, {0.05, 2}, "the robot is a disc");
+  v.number("clearance_m", p.clearance_m, {0, 2},
+           "planned ways keep so far from walls besides the radius");
+  v.number("preferred_clearance_m", p.preferred_clearance_m, {0, 5},
+           "and rather so far, for a longer way");
+  v.number("planning_cell_m", p.planning_cell_m, {0.02, 1},
+           "side of the planner's cells; a whole number of the map's is taken");
+  v.number("speed_m_s", p.speed_m_s, {0.05, 5}, "speed on straights");
+  v.number("turn_deg_s", p.turn_deg_s, {5, 360}, "fastest turn");
+  v.number("giveup", p.giveup, {1, 100}, "a goal is given up when the way to it was lost so often");
+  v.number("max_laps", p.max_laps, {0.1, 1000},
+           "a loop is left after so many times its length, whatever the stopping rule says");
+  v.number("max_distance_m", p.max_distance_m, {1, 1e6}, "exploration ends after so much way");
+  v.number("max_time_s", p.max_time_s, {1, 1e7}, "or after so much time");
+  v.flag("drive_home", p.drive_home, "drive back to the start when nothing is left to explore");
+}
+
+}  // namespace ariadne::explore
