@@ -13,7 +13,8 @@ namespace {
 constexpr const char* kAbout =
     "How far an estimated trajectory is from the truth: ATE and RPE after laying one over the "
     "other\n"
-    "(rotation and shift), and the relations error of Kuemmerle et al. (2009).";
+    "(rotation and shift); the error across each place where the true path comes back to itself;\n"
+    "and the relations error of Kuemmerle et al. (2009).";
 
 constexpr const char* kExamples =
     "Examples:\n"

@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "ariadne/core/error.h"
+#include "ariadne/eval/loop_errors.h"
 #include "ariadne/eval/relations.h"
 #include "ariadne/io/relations.h"
 #include "ariadne/io/tum.h"
@@ -26,6 +27,22 @@ std::vector<double> headingErrors(const std::vector<eval::PosePair>& pairs, doub
   return errors;
 }
 
+void acrossClosures(TruthResult& r, const Arguments& args, const models::Trajectory& estimate,
+                    const models::Trajectory& truth) {
+  const auto errors = eval::loopErrors(estimate, truth, args.max_gap_s);
+  std::vector<double> translations;
+  std::vector<double> headings;
+  for (const eval::LoopError& e : errors.closures) {
+    translations.push_back(e.translation_m);
+    headings.push_back(e.heading_deg);
+  }
+  r.closures = errors.closures.size() + errors.unmatched;
+  r.unmatched_closures = errors.unmatched;
+  if (translations.empty()) return;
+  r.closure_m = eval::figuresOf(translations);
+  r.closure_deg = eval::figuresOf(headings);
+}
+
 TruthResult againstTruth(const Arguments& args, const models::Trajectory& estimate) {
   const auto truth = io::readTum(args.truth);
   TruthResult r;
@@ -43,6 +60,7 @@ TruthResult againstTruth(const Arguments& args, const models::Trajectory& estima
   const auto relative = eval::relativeErrors(r.pairs, args.delta_m);
   r.relative_m = eval::figuresOf(relative.translation_m);
   r.relative_deg = eval::figuresOf(relative.rotation_deg);
+  acrossClosures(r, args, estimate, truth);
   return r;
 }
 
@@ -89,6 +107,9 @@ void printText(const Arguments& args, const Evaluation& e, std::ostream& out) {
                e.truth->relative_m)
         << row(fmt::format("RPE over {:g} m, heading", args.delta_m).c_str(), "deg",
                e.truth->relative_deg);
+    if (e.truth->closures > e.truth->unmatched_closures)
+      out << row("across loops, position", "m", e.truth->closure_m)
+          << row("across loops, heading", "deg", e.truth->closure_deg);
   }
   if (e.relations)
     out << row("relations, translation", "m", e.relations->translation_m)
@@ -117,7 +138,12 @@ void printJson(const Evaluation& e, std::ostream& out) {
                      {"ate_m", toJson(t.absolute_m)},
                      {"ate_heading_deg", toJson(t.heading_deg)},
                      {"rpe_m", toJson(t.relative_m)},
-                     {"rpe_heading_deg", toJson(t.relative_deg)}};
+                     {"rpe_heading_deg", toJson(t.relative_deg)},
+                     {"closures",
+                      {{"count", t.closures},
+                       {"unmatched", t.unmatched_closures},
+                       {"error_m", toJson(t.closure_m)},
+                       {"error_heading_deg", toJson(t.closure_deg)}}}};
   }
   if (e.relations)
     json["relations"] = {{"unmatched", e.relations->unmatched},

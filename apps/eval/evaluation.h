@@ -29,6 +29,10 @@ struct TruthResult {
   eval::ErrorFigures heading_deg;
   eval::ErrorFigures relative_m;
   eval::ErrorFigures relative_deg;
+  std::size_t closures = 0;            ///< true loop closures, those without an estimate too
+  std::size_t unmatched_closures = 0;  ///< for which the estimate has no pose
+  eval::ErrorFigures closure_m;        ///< across those that have; zeros where there is none
+  eval::ErrorFigures closure_deg;
 };
 
 struct RelationResult {

@@ -45,6 +45,26 @@ TEST_F(EvalApp, FindsTheKnownError) {
   EXPECT_NEAR(json["truth"]["ate_heading_deg"]["max"], 0, 0.1);
 }
 
+TEST_F(EvalApp, FindsTheErrorAcrossALoop) {
+  models::Trajectory truth;
+  models::Trajectory estimate;
+  for (int i = 0; i < 160; ++i) {  // twice round; the estimate's second lap is 0.4 m off
+    const mrpt::math::TPose2D pose(5 * std::cos(0.1 * i), 5 * std::sin(0.1 * i), 0.1 * i);
+    truth.push_back({100.0 + i, pose});
+    estimate.push_back({100.0 + i, {pose.x + (i < 63 ? 0 : 0.4), pose.y, pose.phi}});
+  }
+  io::writeTum(path("truth.tum"), truth);
+  io::writeTum(path("estimate.tum"), estimate);
+  ASSERT_EQ(run({path("estimate.tum"), path("truth.tum"), "--json"}), 0) << err.str();
+  const auto closures = nlohmann::json::parse(out.str())["truth"]["closures"];
+  EXPECT_GT(closures["count"], 20);
+  EXPECT_EQ(closures["unmatched"], 0);
+  EXPECT_NEAR(closures["error_m"]["max"], 0.4, 1e-6);
+  EXPECT_NEAR(closures["error_heading_deg"]["max"], 0, 1e-6);
+  ASSERT_EQ(run({path("estimate.tum"), path("truth.tum")}), 0) << err.str();
+  EXPECT_NE(out.str().find("across loops, position"), std::string::npos) << out.str();
+}
+
 TEST_F(EvalApp, TextHasEveryMeasure) {
   writeArc(0.05);
   io::writeWhole(folder / "r.relations", "100 101 0.49 0.025 0 0 0 0.1\n1 2 0 0 0 0 0 0\n");
