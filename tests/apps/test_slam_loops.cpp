@@ -15,12 +15,14 @@ namespace {
 
 class SlamLoops : public SlamApp {
  protected:
-  int drive(const std::string& more = "") {
+  int drive(const std::vector<std::string>& settings = {}) {
     log = (ariadne::test::shippedDatasets() / "drives/small.rawlog").string();
     ini = put("loops.ini",
               "[filter]\nparticles = 8\n[grid]\nresolution_m = 0.1\n[loop_closing]\nc1_m = 5\n"
               "c2_m = 12\nleave_after_m = 2\ncooldown_m = 2\n");
-    return more.empty() ? map("out") : map("out", {"--set", more});
+    std::vector<std::string> arguments;
+    for (const std::string& s : settings) arguments.insert(arguments.end(), {"--set", s});
+    return map("out", arguments);
   }
   std::string written(const char* name) const { return readWhole(folder / "out" / name); }
 
@@ -72,7 +74,7 @@ TEST_F(SlamLoops, LoopsAgreeWithTheSteps) {
     if (!c["entered"].is_null()) {
       EXPECT_EQ(state[c["entered"]["update"]], "closing");
     }
-    EXPECT_EQ(c["end"].is_null(), !c["note"].is_null()) << c;
+    EXPECT_EQ(c["recovery"].is_null(), !c["note"].is_null()) << c;
   }
   for (std::size_t i = 0; i < state.size(); ++i) {
     EXPECT_EQ(opportunities[i] == "0", dist_m[i].empty()) << i;
@@ -129,8 +131,8 @@ TEST_F(SlamLoops, CountsAndNotesAreTheSameEverywhere) {
 // Orange is the colour of the first recovery. Its solid curve runs over the 154 of 216 updates
 // before it: 640 of 900 pixels, in rows blended with up to half white.
 TEST_F(SlamLoops, CoalescenceShowsTheRecovery) {
-  const auto orange = [&](const std::string& more) {
-    EXPECT_EQ(drive(more), 0) << err;
+  const auto orange = [&](const std::vector<std::string>& settings) {
+    EXPECT_EQ(drive(settings), 0) << err;
     const auto image = mrpt::img::CImage::LoadFromFile((folder / "out/coalescence.png").string());
     fs::remove_all(folder / "out");
     std::size_t n = 0;
@@ -139,20 +141,31 @@ TEST_F(SlamLoops, CoalescenceShowsTheRecovery) {
         n += *image(x, y, 2) > *image(x, y, 1) + 50 && *image(x, y, 1) > *image(x, y, 0) + 40;
     return n;
   };
-  EXPECT_EQ(orange("recovery.enabled=false"), 0U);
-  EXPECT_GT(orange(""), 640U);
+  EXPECT_EQ(orange({"recovery.enabled=false"}), 0U);
+  EXPECT_GT(orange({}), 640U);
 }
 
 TEST_F(SlamLoops, WithoutRecoveryClosingsAreStillTold) {
-  ASSERT_EQ(drive("recovery.enabled=false"), 0) << err;
+  ASSERT_EQ(drive({"recovery.enabled=false"}), 0) << err;
   const json loops = json::parse(written("loops.json"));
   EXPECT_GE(loops["closed"], 1);
   EXPECT_EQ(loops["recovered"], 0);
   EXPECT_NE(err.find("recovery is off"), std::string::npos) << err;
 }
 
+TEST_F(SlamLoops, ASavedSetOverTheBudgetIsDroppedAndSaid) {
+  ASSERT_EQ(drive({"recovery.memory_budget_mb=1", "grid.resolution_m=0.02"}), 0) << err;
+  const json loops = json::parse(written("loops.json"));
+  EXPECT_EQ(loops["recovered"], 0);
+  const std::string said =
+      "the saved set was dropped: saved sets took more than "
+      "recovery.memory_budget_mb = 1";
+  EXPECT_NE(loops["closings"][0]["note"].dump().find(said), std::string::npos) << loops;
+  EXPECT_NE(err.find("closing 0: " + said), std::string::npos) << err;
+}
+
 TEST_F(SlamLoops, WhereLoopsAreNotLookedForThereAreNoFilesOfThem) {
-  ASSERT_EQ(drive("loop_closing.enabled=false"), 0) << err;
+  ASSERT_EQ(drive({"loop_closing.enabled=false"}), 0) << err;
   for (const char* name : {"loops.json", "topology.png", "coalescence.png"}) {
     EXPECT_FALSE(fs::exists(folder / "out" / name)) << name;
     EXPECT_EQ(out.find(name), std::string::npos) << out;

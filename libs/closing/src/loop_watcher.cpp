@@ -26,6 +26,12 @@ const Closing* LoopWatcher::open() const {
   return open_.empty() ? nullptr : &closings_[open_.back()];
 }
 
+std::vector<const Closing*> LoopWatcher::allOpen() const {
+  std::vector<const Closing*> all;
+  for (const std::size_t name : open_) all.push_back(&closings_[name]);
+  return all;
+}
+
 LoopState LoopWatcher::state() const {
   if (!open()) return LoopState::exploring;
   return open()->entered ? LoopState::closing : LoopState::approaching;

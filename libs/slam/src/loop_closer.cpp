@@ -189,8 +189,10 @@ std::vector<ClosingRecord> LoopCloser::records() const {
   for (const closing::Closing& c : watcher_.closings()) {
     const Extra& extra = extras_[c.name];
     records.push_back({c, extra.saving, extra.recovery, extra.note});
-    if (records.back().note.empty() && !c.ended)
-      records.back().note = "still open at the end of the log: nothing was recovered";
+    std::string& note = records.back().note;
+    if (!note.empty() || extra.recovery) continue;
+    note = c.ended ? "nothing was recovered: " + c.end_reason
+                   : "still open at the end of the log: nothing was recovered";
   }
   return records;
 }

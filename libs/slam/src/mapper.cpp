@@ -206,6 +206,13 @@ models::Trajectory Mapper::pathOf(std::size_t particle) const {
   return posePath(impl_->records, impl_->particles[particle].ancestor);
 }
 
+TPose2D Mapper::pose() const {
+  const TPose2D& last = impl_->particles[impl_->particles.best()].map_from_robot;
+  if (impl_->scans.empty()) return last;
+  return models::compose(last, models::relativePose(impl_->last_update_odom,
+                                                    impl_->records.back().odom_from_robot));
+}
+
 const filter::ParticleSet& Mapper::particles() const { return impl_->particles; }
 
 mrpt::maps::CSimpleMap Mapper::simpleMap() const {
@@ -226,6 +233,10 @@ mrpt::maps::CSimpleMap Mapper::simpleMap() const {
 
 const std::vector<topology::PlaceGraph>& Mapper::graphs() const { return impl_->loops.graphs(); }
 std::vector<ClosingRecord> Mapper::closings() const { return impl_->loops.records(); }
+
+std::vector<const closing::Closing*> Mapper::openClosings() const {
+  return impl_->loops.openClosings();
+}
 
 StageTimes Mapper::times() const { return impl_->times; }
 std::size_t Mapper::updates() const { return impl_->scans.size(); }

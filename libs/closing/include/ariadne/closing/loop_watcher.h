@@ -56,6 +56,8 @@ class LoopWatcher {
   const std::vector<Closing>& closings() const { return closings_; }
   /// The closing on top of the open ones.
   const Closing* open() const;
+  /// All open ones, the outermost first; until the next observation.
+  std::vector<const Closing*> allOpen() const;
 
  private:
   bool counts(const topology::Place& place, const WatchedStep& step) const;

@@ -35,6 +35,8 @@ class LoopCloser {
   void setGraphs(std::vector<topology::PlaceGraph> graphs) { graphs_ = std::move(graphs); }
   /// All closings so far, open ones too.
   std::vector<ClosingRecord> records() const;
+  /// The open closings, the outermost first; until the next update.
+  std::vector<const closing::Closing*> openClosings() const { return watcher_.allOpen(); }
   /// From now on closings end without recovery.
   void disableRecovery() { params_.recovery.enabled = false; }
 

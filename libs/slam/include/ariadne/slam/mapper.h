@@ -60,6 +60,8 @@ class Mapper {
   models::Trajectory path() const;
   /// The scans that the filter used with the poses of s*, for MRPT's tools.
   mrpt::maps::CSimpleMap simpleMap() const;
+  /// Where s* is now (map_from_robot): its last update, then along the odometry.
+  mrpt::math::TPose2D pose() const;
   /// The current hypotheses.
   const filter::ParticleSet& particles() const;
   /// The path of any hypothesis, as path().
@@ -68,6 +70,8 @@ class Mapper {
   const std::vector<topology::PlaceGraph>& graphs() const;
   /// All closings so far.
   std::vector<ClosingRecord> closings() const;
+  /// Those that are open, the outermost first; until the next step is processed.
+  std::vector<const closing::Closing*> openClosings() const;
   StageTimes times() const;
   std::size_t updates() const;
 

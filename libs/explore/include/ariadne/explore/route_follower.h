@@ -1,0 +1,36 @@
+// Follows a route with a robot that has a differential drive and believes to be somewhere: it aims
+// at a point a little ahead on the route (pure pursuit; Coulter, CMU-RI-TR-92-01, 1992), and turns
+// on the spot where that lies far to its side.
+#pragma once
+#include "ariadne/explore/planner.h"
+#include "ariadne/models/velocity_command.h"
+
+namespace ariadne::explore {
+
+class RouteFollower {
+ public:
+  explicit RouteFollower(const ExploreParams& params) : params_(params) {}
+
+  /// A new route; an empty one has nowhere to go.
+  void take(Route route);
+  const Route& route() const { return route_; }
+  /// First point of the route that is not behind the robot.
+  std::size_t next() const { return next_; }
+  /// Whether the robot is within a hand's breadth of the end.
+  bool arrived(const mrpt::math::TPose2D& map_from_robot) const;
+  /// What to do now; stands still without a route and at its end.
+  models::VelocityCommand command(const mrpt::math::TPose2D& map_from_robot);
+  /// Turns on the spot towards a point; stands still when it is ahead.
+  models::VelocityCommand face(const mrpt::math::TPose2D& map_from_robot,
+                               const mrpt::math::TPoint2D& point);
+
+ private:
+  mrpt::math::TPoint2D aim(const mrpt::math::TPose2D& robot);
+
+  ExploreParams params_;
+  Route route_;
+  std::size_t next_ = 0;
+  bool turning_ = false;  // on the spot
+};
+
+}  // namespace ariadne::explore

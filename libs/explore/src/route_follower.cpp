@@ -1,0 +1,78 @@
+#include "ariadne/explore/route_follower.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ariadne::explore {
+namespace {
+
+using models::VelocityCommand;
+using mrpt::math::TPoint2D;
+using mrpt::math::TPose2D;
+
+constexpr double kDegree = M_PI / 180;
+constexpr double kArrived_m = 0.15;
+constexpr double kLookahead_m = 0.5;
+// Turning on the spot begins and ends at different errors, or the robot would dither.
+constexpr double kBeginTurn = 40 * kDegree;
+constexpr double kEndTurn = 10 * kDegree;
+constexpr double kTurnGain = 1.5;   // rad/s per rad: stable at five commands a second
+constexpr double kBrakeGain = 1.5;  // m/s per m before the end
+constexpr double kSlowest_m_s = 0.1;
+
+double distance(const TPoint2D& p, const TPose2D& robot) {
+  return std::hypot(p.x - robot.x, p.y - robot.y);
+}
+
+double errorTo(const TPoint2D& p, const TPose2D& robot) {
+  return std::remainder(std::atan2(p.y - robot.y, p.x - robot.x) - robot.phi, 2 * M_PI);
+}
+
+}  // namespace
+
+void RouteFollower::take(Route route) {
+  route_ = std::move(route);
+  next_ = 0;
+  turning_ = false;
+}
+
+bool RouteFollower::arrived(const TPose2D& robot) const {
+  return route_.empty() || distance(route_.back(), robot) <= kArrived_m;
+}
+
+/// The nearest point of what lies ahead, then on to the lookahead.
+TPoint2D RouteFollower::aim(const TPose2D& robot) {
+  constexpr std::size_t kWindow = 20;  // points: the route may pass this place again later
+  const auto from = route_.begin() + static_cast<std::ptrdiff_t>(next_);
+  const auto to =
+      route_.begin() + static_cast<std::ptrdiff_t>(std::min(route_.size(), next_ + kWindow));
+  const auto nearest = std::min_element(from, to, [&](const TPoint2D& a, const TPoint2D& b) {
+    return distance(a, robot) < distance(b, robot);
+  });
+  next_ = static_cast<std::size_t>(nearest - route_.begin());
+  std::size_t ahead = next_;
+  while (ahead + 1 < route_.size() && distance(route_[ahead], robot) < kLookahead_m) ++ahead;
+  return route_[ahead];
+}
+
+VelocityCommand RouteFollower::face(const TPose2D& robot, const TPoint2D& point) {
+  const double fastest = params_.turn_deg_s * kDegree;
+  const double error = errorTo(point, robot);
+  if (std::abs(error) < kEndTurn) return {};
+  return {0, std::clamp(kTurnGain * error, -fastest, fastest)};
+}
+
+VelocityCommand RouteFollower::command(const TPose2D& robot) {
+  if (arrived(robot)) return {};
+  const TPoint2D point = aim(robot);
+  const double error = errorTo(point, robot);
+  turning_ = std::abs(error) > (turning_ ? kEndTurn : kBeginTurn);
+  const double fastest = params_.turn_deg_s * kDegree;
+  VelocityCommand out{0, std::clamp(kTurnGain * error, -fastest, fastest)};
+  if (turning_) return out;
+  const double braking = kBrakeGain * distance(route_.back(), robot);
+  out.forward_m_s = std::max(kSlowest_m_s, std::min(params_.speed_m_s, braking)) * std::cos(error);
+  return out;
+}
+
+}  // namespace ariadne::explore
