@@ -6,6 +6,7 @@
 
 #include "../shipped_datasets.h"
 #include "ariadne/sim/drive.h"
+#include "ariadne/sim/robot.h"
 
 using namespace ariadne::sim;  // NOLINT: a test of this namespace
 using ariadne::test::shippedDatasets;
@@ -47,6 +48,18 @@ TEST(ShippedWorlds, AllDrivesArrive) {
         << "known corridor after the closure";
   }
   EXPECT_EQ(count, 7);
+}
+
+TEST(ShippedWorlds, ARobotCanStandAtEveryStart) {
+  int count = 0;
+  for (const auto& entry : fs::directory_iterator(shippedDatasets() / "worlds")) {
+    SCOPED_TRACE(entry.path().string());
+    ++count;
+    const World world = readWorld(entry.path());
+    ASSERT_TRUE(world.start);
+    EXPECT_NO_THROW(Robot(world, *world.start, {}));
+  }
+  EXPECT_EQ(count, 8);
 }
 
 TEST(ShippedWorlds, ALapOfTheInnerRingIsItsLength) {
