@@ -33,11 +33,16 @@ mrpt::math::TPoint2D LoopRoute::next(const filter::AncestorPtr& leaf,
   const auto place = [&](std::size_t update) { return path[update - te_]; };
   if (cursor_ >= entered_) {
     cursor_ = te_;
+    ahead_ = te_;
     ++whole_laps_;
   }
-  while (cursor_ < entered_ &&
-         std::hypot(place(cursor_).x - robot.x, place(cursor_).y - robot.y) < kPassed_m)
-    ++cursor_;
+  // The robot may have come to where it was sent on another way than the path's.
+  const auto near = [&](std::size_t update) {
+    return std::hypot(place(update).x - robot.x, place(update).y - robot.y) < kPassed_m;
+  };
+  for (std::size_t update = ahead_; update > cursor_; --update)
+    if (near(update)) cursor_ = update;
+  while (cursor_ < entered_ && near(cursor_)) ++cursor_;
   ahead_ = cursor_;
   double way = 0;
   while (ahead_ < entered_ && way < kAhead_m) {
