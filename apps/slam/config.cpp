@@ -1,10 +1,5 @@
 #include "config.h"
 
-#include <fmt/chrono.h>
-#include <fmt/format.h>
-
-#include <cctype>
-#include <ctime>
 #include <filesystem>
 
 #include "ariadne/io/ini_fields.h"
@@ -52,17 +47,6 @@ std::vector<io::IniEntry> flagEntries(const Options& o) {
   return entries;
 }
 
-/// "intel" of "/data/intel.clf.gz"; what shells dislike becomes a hyphen.
-std::string shortName(const fs::path& dataset) {
-  std::string name = dataset.filename().string();
-  for (const char* end : {".gz", ".rawlog", ".clf", ".log", ".carmen"})
-    if (name.size() > std::string(end).size() && fs::path(name).extension() == end)
-      name = fs::path(name).stem().string();
-  for (char& c : name)
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '.' && c != '_') c = '-';
-  return name;
-}
-
 }  // namespace
 
 ResolvedConfig resolveConfig(const Options& options) {
@@ -76,14 +60,7 @@ ResolvedConfig resolveConfig(const Options& options) {
 }
 
 std::string outputFolderOf(const SlamConfig& config) {
-  if (!config.run.out.empty()) return config.run.out;
-  const std::string base =
-      fmt::format("ariadne-{}-{:%Y%m%d-%H%M%S}", shortName(config.dataset.file),
-                  fmt::localtime(std::time(nullptr)));
-  std::string name = base;
-  std::error_code ignored;
-  for (int i = 2; fs::exists(name, ignored); ++i) name = fmt::format("{}-{}", base, i);
-  return name;
+  return config.run.out.empty() ? newFolderFor(config.dataset.file) : config.run.out;
 }
 
 }  // namespace ariadne::slam_app

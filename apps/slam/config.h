@@ -5,6 +5,7 @@
 
 #include "ariadne/slam/params.h"
 #include "options.h"
+#include "run_params.h"
 
 namespace ariadne::slam_app {
 
@@ -20,21 +21,6 @@ void visitFields(V& v, DatasetParams& p) {
          "folder, or at the current one on the command line");
   v.text("laser_label", p.laser_label,
          "laser to use, where the log has several (ariadne-dataset info lists them)");
-}
-
-struct RunParams {
-  int threads = 0;
-  std::string out;
-  bool pictures = true;
-};
-
-template <class V>
-void visitFields(V& v, RunParams& p) {
-  v.number("threads", p.threads, {0, 256}, "0 is one a core; the result is the same on any number");
-  v.text("out", p.out,
-         "folder to write to, from the current one; empty: ariadne-<dataset>-<date>-<time>");
-  v.flag("pictures", p.pictures,
-         "write report.html and the PNG files: overview, map, topology, coalescence");
 }
 
 struct SlamConfig {

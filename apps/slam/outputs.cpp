@@ -4,7 +4,6 @@
 #include <fmt/ostream.h>
 
 #include <chrono>
-#include <functional>
 #include <ostream>
 
 #include "ariadne/core/error.h"
@@ -24,23 +23,10 @@ namespace {
 namespace fs = std::filesystem;
 using Grid = mrpt::maps::COccupancyGridMap2D;
 
-/// All that a file may be made of.
-struct Material {
-  const slam::Mapper& mapper;
-  const RunResult& result;
-  const Grid& map;
-};
-
-struct Output {
-  std::vector<std::string> names;  ///< the first is given to `write`, which makes all of them
-  const char* purpose;
-  bool is_picture;
-  std::function<void(const fs::path& file, const Material& m)> write;
-};
-
 void writeConfig(const fs::path& file, const Material& m) {
   const std::string header =
-      "As resolved for this run. Maps the same again: ariadne-slam config.ini --out OTHER";
+      fmt::format("As resolved for this run. Maps the same again: ariadne-slam {} --out OTHER",
+                  file.filename().string());
   io::writeWhole(file, io::writeIni(m.result.config, header));
 }
 
@@ -57,7 +43,6 @@ void writeOdometry(const fs::path& file, const Material& m) {
                 "time_s x_m y_m z_m qx qy qz qw"});
 }
 
-/// In the order of writing: what could not be had again comes first, should the disk fill up.
 const std::vector<Output>& allOutputs() {
   static const std::vector<Output> outputs = {
       {{"trajectory.tum"}, "the robot's path in the map, a pose at every scan", false, writePath},
@@ -75,7 +60,6 @@ const std::vector<Output>& allOutputs() {
          io::writeWhole(file, loopsJson(m.result.closings, m.result.record.reports,
                                         m.result.config.slam.loop_closing.opportunity));
        }},
-      {{"config.ini"}, "all parameters of this run, each explained", false, writeConfig},
       {{"report.html"},
        "the run to replay in a browser: map, particles, path, loops, curves",
        true,
@@ -125,15 +109,6 @@ bool isAboutLoops(const Output& o) {
   return name == "loops.json" || name == "topology.png" || name == "coalescence.png";
 }
 
-std::vector<Output> outputsOf(const SlamConfig& config) {
-  std::vector<Output> chosen;
-  for (const Output& o : allOutputs())
-    if ((config.run.pictures || !o.is_picture) &&
-        (config.slam.loop_closing.enabled || !isAboutLoops(o)))
-      chosen.push_back(o);
-  return chosen;
-}
-
 void checkNotEmpty(const Grid& map) {
   // Cells are exactly 0 until a beam has touched them.
   for (const auto cell : map.getRawMap())
@@ -149,15 +124,28 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
 
 }  // namespace
 
-std::vector<std::string> outputNames(const SlamConfig& config) {
+Output mappingIni(const std::string& name) {
+  return {{name}, "all parameters of this run, each explained", false, writeConfig};
+}
+
+std::vector<Output> mappingOutputs(const SlamConfig& config) {
+  std::vector<Output> chosen;
+  for (const Output& o : allOutputs())
+    if ((config.run.pictures || !o.is_picture) &&
+        (config.slam.loop_closing.enabled || !isAboutLoops(o)))
+      chosen.push_back(o);
+  return chosen;
+}
+
+std::vector<std::string> namesOf(const std::vector<Output>& outputs) {
   std::vector<std::string> names;
-  for (const Output& o : outputsOf(config))
-    names.insert(names.end(), o.names.begin(), o.names.end());
+  for (const Output& o : outputs) names.insert(names.end(), o.names.begin(), o.names.end());
   names.emplace_back(kSummary);
   return names;
 }
 
-void writeOutputs(const fs::path& folder, const slam::Mapper& mapper, const RunResult& result,
+void writeOutputs(const fs::path& folder, const std::vector<Output>& outputs,
+                  const slam::Mapper& mapper, const RunResult& result, const SummaryText& summary,
                   std::ostream& out) {
   const auto start = std::chrono::steady_clock::now();
   const Grid map = mapper.map();
@@ -165,7 +153,7 @@ void writeOutputs(const fs::path& folder, const slam::Mapper& mapper, const RunR
   const Material material{mapper, result, map};
   std::vector<std::string> written;
   std::vector<std::string> problems;
-  const auto attempt = [&](const std::vector<std::string>& names, const char* purpose,
+  const auto attempt = [&](const std::vector<std::string>& names, const std::string& purpose,
                            const auto& write) {
     try {
       write();
@@ -176,12 +164,12 @@ void writeOutputs(const fs::path& folder, const slam::Mapper& mapper, const RunR
     }
   };
   fmt::print(out, "In {}:\n", folder.string());
-  for (const Output& o : outputsOf(result.config))
+  for (const Output& o : outputs)
     attempt(o.names, o.purpose, [&] { o.write(folder / o.names.front(), material); });
   attempt({kSummary}, "figures, costs, versions and warnings of this run", [&] {
     std::vector<std::string> files = written;
     files.emplace_back(kSummary);
-    io::writeWhole(folder / kSummary, summaryJson(result, secondsSince(start), files));
+    io::writeWhole(folder / kSummary, summary(secondsSince(start), files));
   });
   if (!problems.empty())
     throw core::Error(fmt::format("not all files are written: {}", fmt::join(problems, "; ")));

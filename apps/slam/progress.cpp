@@ -33,16 +33,22 @@ std::string progressLine(double fraction, std::size_t scans, double elapsed_s, d
 Progress::Progress(std::ostream& out, ProgressStyle style)
     : out_(out), style_(style), start_(Clock::now()), last_(start_) {}
 
+bool Progress::due() const {
+  if (style_ == ProgressStyle::none) return false;
+  const auto pause = style_ == ProgressStyle::terminal ? std::chrono::milliseconds(200)
+                                                       : std::chrono::milliseconds(5000);
+  return Clock::now() - last_ >= pause;
+}
+
 void Progress::update(double fraction, std::size_t scans, double neff, std::size_t particles) {
-  if (style_ == ProgressStyle::none) return;
-  const bool terminal = style_ == ProgressStyle::terminal;
-  const Clock::time_point now = Clock::now();
-  if (now - last_ < (terminal ? std::chrono::milliseconds(200) : std::chrono::milliseconds(5000)))
-    return;
-  last_ = now;
-  const double elapsed_s = std::chrono::duration<double>(now - start_).count();
-  const std::string line = progressLine(fraction, scans, elapsed_s, neff, particles);
-  if (!terminal) {
+  if (!due()) return;
+  const double elapsed_s = std::chrono::duration<double>(Clock::now() - start_).count();
+  show(progressLine(fraction, scans, elapsed_s, neff, particles));
+}
+
+void Progress::show(const std::string& line) {
+  last_ = Clock::now();
+  if (style_ != ProgressStyle::terminal) {
     out_ << line << '\n' << std::flush;
     return;
   }

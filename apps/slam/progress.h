@@ -12,7 +12,10 @@ enum class ProgressStyle { none, lines, terminal };
 class Progress {
  public:
   Progress(std::ostream& out, ProgressStyle style);
-  /// @param fraction of the dataset that was read, 0 to 1. Cheap when it is too early for a line.
+  /// Whether it is time for another line.
+  bool due() const;
+  void show(const std::string& line);
+  /// Shows progressLine() when it is time. @param fraction of the dataset that was read, 0 to 1.
   void update(double fraction, std::size_t scans, double neff, std::size_t particles);
   /// Ends the terminal's line; later updates start a new one.
   void finish();

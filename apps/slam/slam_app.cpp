@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 #include <fmt/ostream.h>
-#include <unistd.h>
 
 #include <chrono>
-#include <exception>
 #include <filesystem>
-#include <iostream>
+#include <ostream>
 
 #include "ariadne/core/error.h"
 #include "ariadne/io/ini_writer.h"
@@ -21,6 +19,7 @@
 #include "outputs.h"
 #include "parameters_page.h"
 #include "replay.h"
+#include "run_program.h"
 #include "truth.h"
 
 namespace ariadne {
@@ -28,15 +27,7 @@ namespace {
 
 using namespace slam_app;
 
-ProgressStyle progressStyle(const Options& options, const std::ostream& err) {
-  if (options.quiet) return ProgressStyle::none;
-  const bool terminal = &err == &std::cerr && ::isatty(STDERR_FILENO) != 0;
-  return terminal ? ProgressStyle::terminal : ProgressStyle::lines;
-}
-
-void warn(std::ostream& err, const std::vector<std::string>& warnings) {
-  for (const std::string& w : warnings) fmt::print(err, "ariadne-slam: warning: {}\n", w);
-}
+constexpr const char* kName = "ariadne-slam";
 
 void printResult(std::ostream& out, const RunResult& result) {
   const MappingRecord& record = result.record;
@@ -73,6 +64,12 @@ RunResult resultOf(MappingRecord record, const slam::Mapper& mapper, const io::S
   return result;
 }
 
+std::vector<Output> outputsOf(const SlamConfig& config) {
+  std::vector<Output> outputs = mappingOutputs(config);
+  outputs.push_back(mappingIni("config.ini"));
+  return outputs;
+}
+
 /// Maps and writes. Returns the exit code.
 int mapDataset(const Options& options, ResolvedConfig resolved, std::ostream& out,
                std::ostream& err) {
@@ -81,7 +78,7 @@ int mapDataset(const Options& options, ResolvedConfig resolved, std::ostream& ou
     throw core::UsageError("no dataset: name one behind CONFIG, or in the INI as [dataset] file");
   config.run.out = std::filesystem::absolute(outputFolderOf(config)).lexically_normal().string();
   io::writeIni(config, "");  // throws now, not after mapping, for a name that no INI can hold
-  warn(err, resolved.warnings);
+  warn(err, kName, resolved.warnings);
   if (std::error_code ignored; !std::filesystem::exists(config.dataset.file, ignored))
     throw core::Error(fmt::format("there is no log {}; to map another, name it behind CONFIG",
                                   config.dataset.file));
@@ -93,8 +90,9 @@ int mapDataset(const Options& options, ResolvedConfig resolved, std::ostream& ou
   const auto source = io::openDataset(config.dataset.file, {config.dataset.laser_label});
   const std::chrono::duration<double> opened = std::chrono::steady_clock::now() - opening;
   slam::Mapper mapper(config.slam, config.run.threads);
-  io::prepareOutputFolder(config.run.out, outputNames(config), options.overwrite);
-  Progress progress(err, progressStyle(options, err));
+  const std::vector<Output> outputs = outputsOf(config);
+  io::prepareOutputFolder(config.run.out, namesOf(outputs), options.overwrite);
+  Progress progress(err, progressStyle(options.quiet, err));
   report::ReplayRecorder recorder;
   MappingRecord record =
       mapSteps(*source, mapper, interrupt, progress, recordingOf(config, mapper, recorder));
@@ -104,7 +102,7 @@ int mapDataset(const Options& options, ResolvedConfig resolved, std::ostream& ou
     throw core::Error(fmt::format(
         "{}: {}: nothing to map", config.dataset.file,
         record.signal != 0 ? "stopped before the first scan" : "no scan that can be used"));
-  warn(err, source->warnings());
+  warn(err, kName, source->warnings());
   if (record.signal != 0)
     fmt::print(err, "ariadne-slam: stopped after {} scans ({:.0f} % of the log); writing these\n",
                record.odometry.size(), 100 * source->fraction());
@@ -112,14 +110,18 @@ int mapDataset(const Options& options, ResolvedConfig resolved, std::ostream& ou
   const std::size_t told_already = result.warnings.size();
   for (const std::string& w : loopWarnings(result.closings)) result.warnings.push_back(w);
   compare(result, std::move(truth), options.truth);
-  warn(err, {result.warnings.begin() + static_cast<std::ptrdiff_t>(told_already),
-             result.warnings.end()});
+  warn(
+      err, kName,
+      {result.warnings.begin() + static_cast<std::ptrdiff_t>(told_already), result.warnings.end()});
   if (config.run.pictures) result.replay = replayOf(recorder, mapper, result);
 
   std::ostream nowhere(nullptr);
   std::ostream& told = options.quiet ? nowhere : out;
   printResult(told, result);
-  writeOutputs(config.run.out, mapper, result, told);
+  const auto summary = [&](double writing_s, const std::vector<std::string>& files) {
+    return jsonText(summaryOf(result, writing_s, files));
+  };
+  writeOutputs(config.run.out, outputs, mapper, result, summary, told);
   return result.record.signal == 0 ? 0 : 128 + result.record.signal;
 }
 
@@ -132,7 +134,7 @@ int run(const std::vector<std::string>& args, std::ostream& out, std::ostream& e
   }
   ResolvedConfig resolved = resolveConfig(*options);
   if (!options->print_config) return mapDataset(*options, std::move(resolved), out, err);
-  warn(err, resolved.warnings);
+  warn(err, kName, resolved.warnings);
   out << io::writeIni(resolved.config, "Configuration of ariadne-slam.");
   return 0;
 }
@@ -140,18 +142,7 @@ int run(const std::vector<std::string>& args, std::ostream& out, std::ostream& e
 }  // namespace
 
 int runSlamApp(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
-  try {
-    return run(args, out, err);
-  } catch (const core::UsageError& e) {
-    fmt::print(err, "ariadne-slam: {}\n", e.what());
-    return 2;
-  } catch (const std::bad_alloc&) {
-    fmt::print(err, "ariadne-slam: out of memory: take fewer particles or a coarser grid\n");
-    return 1;
-  } catch (const std::exception& e) {
-    fmt::print(err, "ariadne-slam: {}\n", e.what());
-    return 1;
-  }
+  return runProgram(kName, err, [&] { return run(args, out, err); });
 }
 
 }  // namespace ariadne

@@ -5,10 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "ariadne/core/parallel.h"
-#include "ariadne/io/ini_writer.h"
 #include "loop_counts.h"
 
 namespace ariadne::slam_app {
@@ -86,18 +84,6 @@ Json costs(const RunResult& r, double writing_s) {
           {"peak_memory_mb", static_cast<double>(usage.ru_maxrss) / 1024}};
 }
 
-/// All parameters as in config.ini; numbers as numbers.
-Json parameters(const SlamConfig& config) {
-  Json out;
-  io::forEachWrittenSection(config, [&](const char* section, const auto& fields) {
-    for (const io::WrittenField& f : fields) {
-      const Json value = Json::parse(f.value, nullptr, false);
-      out[section][f.key] = value.is_discarded() ? Json(f.value) : value;
-    }
-  });
-  return out;
-}
-
 }  // namespace
 
 double lengthOf(const models::Trajectory& path) {
@@ -107,24 +93,24 @@ double lengthOf(const models::Trajectory& path) {
   return length;
 }
 
-std::string summaryJson(const RunResult& result, double writing_s,
-                        const std::vector<std::string>& files) {
-  const Json json = {
-      {"program", "ariadne-slam"},
-      {"versions", {{"ariadne", ARIADNE_VERSION}, {"mrpt", mrpt::system::MRPT_getVersion()}}},
-      {"complete", result.record.signal == 0},
-      {"seed", result.config.slam.filter.seed},
-      {"threads", core::Parallel(result.config.run.threads).threads()},
-      {"dataset", datasetFigures(result)},
-      {"filter", filterFigures(result.record.reports)},
-      {"loops", loopFigures(result.closings)},
-      {"path_length_m", lengthOf(result.path)},
-      {"ate_rmse_m", result.truth ? Json(result.truth->ate_rmse_m) : Json()},
-      {"costs", costs(result, writing_s)},
-      {"warnings", result.warnings},
-      {"files", files},
-      {"parameters", parameters(result.config)}};
-  // File names may be any bytes; JSON takes UTF-8 only.
+Json summaryOf(const RunResult& result, double writing_s, const std::vector<std::string>& files) {
+  return {{"program", "ariadne-slam"},
+          {"versions", {{"ariadne", ARIADNE_VERSION}, {"mrpt", mrpt::system::MRPT_getVersion()}}},
+          {"complete", result.record.signal == 0},
+          {"seed", result.config.slam.filter.seed},
+          {"threads", core::Parallel(result.config.run.threads).threads()},
+          {"dataset", datasetFigures(result)},
+          {"filter", filterFigures(result.record.reports)},
+          {"loops", loopFigures(result.closings)},
+          {"path_length_m", lengthOf(result.path)},
+          {"ate_rmse_m", result.truth ? Json(result.truth->ate_rmse_m) : Json()},
+          {"costs", costs(result, writing_s)},
+          {"warnings", result.warnings},
+          {"files", files},
+          {"parameters", parametersJson(result.config)}};
+}
+
+std::string jsonText(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

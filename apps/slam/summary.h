@@ -1,10 +1,12 @@
 // summary.json: the figures of a run, what made them and what they cost.
 #pragma once
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "ariadne/io/dataset.h"
+#include "ariadne/io/ini_writer.h"
 #include "ariadne/report/replay.h"
 #include "config.h"
 #include "mapping.h"
@@ -29,9 +31,25 @@ struct RunResult {
 /// Sum of the distances between successive poses, m.
 double lengthOf(const models::Trajectory& path);
 
-/// @param writing_s wall clock that the other files took; @param files that were written.
 /// CPU time and peak memory are the process's until now.
-std::string summaryJson(const RunResult& result, double writing_s,
-                        const std::vector<std::string>& files);
+/// @param writing_s wall clock that the other files took
+nlohmann::ordered_json summaryOf(const RunResult& result, double writing_s,
+                                 const std::vector<std::string>& files);
+
+/// As text; bytes that are no UTF-8 (file names may be any) are replaced.
+std::string jsonText(const nlohmann::ordered_json& json);
+
+/// All parameters as in config.ini; numbers as numbers.
+template <class Config>
+nlohmann::ordered_json parametersJson(const Config& config) {
+  nlohmann::ordered_json out;
+  io::forEachWrittenSection(config, [&](const char* section, const auto& fields) {
+    for (const io::WrittenField& f : fields) {
+      const auto value = nlohmann::ordered_json::parse(f.value, nullptr, false);
+      out[section][f.key] = value.is_discarded() ? nlohmann::ordered_json(f.value) : value;
+    }
+  });
+  return out;
+}
 
 }  // namespace ariadne::slam_app

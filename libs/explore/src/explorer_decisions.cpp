@@ -61,6 +61,7 @@ void Explorer::decide(const Belief& belief) {
   if (!isActive(params_.strategy) || !decideLoop(belief, planner)) decideFrontier(belief, planner);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   slowest_s_ = std::max(slowest_s_, took.count());
+  decisions_s_ += took.count();
 }
 
 /// Never a second closing within one: the outermost that is being followed comes first.

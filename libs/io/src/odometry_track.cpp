@@ -20,6 +20,7 @@ bool isPossible(const TPose2D& p, double farthest_m) {
 
 /// The pose at share `s` of the way from a to b, turning the short way round.
 TPose2D between(const TPose2D& a, const TPose2D& b, double s) {
+  if (s >= 1) return b;  // to the bit
   const double turn = std::remainder(b.phi - a.phi, 2 * M_PI);
   return {a.x + s * (b.x - a.x), a.y + s * (b.y - a.y), std::remainder(a.phi + s * turn, 2 * M_PI)};
 }

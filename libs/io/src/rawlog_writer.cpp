@@ -1,6 +1,7 @@
 #include <mrpt/io/CMemoryStream.h>
 #include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CActionRobotMovement2D.h>
+#include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CSensoryFrame.h>
 #include <mrpt/serialization/CArchive.h>
 
@@ -21,21 +22,18 @@ mrpt::obs::CActionCollection actionOf(const mrpt::math::TPose2D& motion,
   return actions;
 }
 
-}  // namespace
+using Archive = mrpt::serialization::CArchive;
 
-std::size_t writeRawlog(const std::filesystem::path& path, const NextStep& next) {
+/// Writes what `put` makes of each step.
+template <class Put>
+std::size_t writeSteps(const std::filesystem::path& path, const NextStep& next, const Put& put) {
   std::size_t count = 0;
   writeWhole(path, [&](const std::filesystem::path& temporary) {
     OutputFile file(temporary, path, true);
-    std::optional<mrpt::math::TPose2D> before;
     while (const auto step = next()) {
-      const auto motion = before ? step->odom_from_robot - *before : mrpt::math::TPose2D();
-      before = step->odom_from_robot;
-      mrpt::obs::CSensoryFrame frame;
-      frame.insert(step->scan);
       mrpt::io::CMemoryStream memory;
       auto archive = mrpt::serialization::archiveFrom(memory);
-      archive << actionOf(motion, step->scan->timestamp) << frame;
+      put(static_cast<Archive&>(archive), *step);
       file.write({static_cast<const char*>(memory.getRawBufferData()),
                   static_cast<std::size_t>(memory.getTotalBytesCount())});
       ++count;
@@ -43,6 +41,29 @@ std::size_t writeRawlog(const std::filesystem::path& path, const NextStep& next)
     file.close();
   });
   return count;
+}
+
+}  // namespace
+
+std::size_t writeRawlog(const std::filesystem::path& path, const NextStep& next) {
+  std::optional<mrpt::math::TPose2D> before;
+  return writeSteps(path, next, [&](Archive& archive, const models::SensorStep& step) {
+    const auto motion = before ? step.odom_from_robot - *before : mrpt::math::TPose2D();
+    before = step.odom_from_robot;
+    mrpt::obs::CSensoryFrame frame;
+    frame.insert(step.scan);
+    archive << actionOf(motion, step.scan->timestamp) << frame;
+  });
+}
+
+std::size_t writeObservationRawlog(const std::filesystem::path& path, const NextStep& next) {
+  return writeSteps(path, next, [](Archive& archive, const models::SensorStep& step) {
+    mrpt::obs::CObservationOdometry reading;
+    reading.timestamp = step.scan->timestamp;
+    reading.sensorLabel = "odometry";
+    reading.odometry = mrpt::poses::CPose2D(step.odom_from_robot);
+    archive << reading << *step.scan;
+  });
 }
 
 }  // namespace ariadne::io

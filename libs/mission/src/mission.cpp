@@ -57,12 +57,15 @@ MissionRecord Mission::run(const MissionListener& listener) {
   MissionRecord record;
   Drive drive(world_, start_, params_.sim.drive);
   sim::Senses senses(params_.sim.noise, params_.slam.filter.seed);
-  const double period_s = 1 / params_.sim.drive.scan_rate_hz;
+  const auto timeOf = [&](std::size_t k) {
+    // To MRPT's 100 ns, as a rawlog keeps it.
+    return std::round(static_cast<double>(k) / params_.sim.drive.scan_rate_hz * 1e7) / 1e7;
+  };
   bool touched = false;
   bool touched_before = false;
   record.end_reason = "stopped";
   for (std::size_t k = 0; !explorer_.done(); ++k) {
-    const models::StampedPose truth{static_cast<double>(k) * period_s, drive.robot().pose()};
+    const models::StampedPose truth{timeOf(k), drive.robot().pose()};
     record.truth.push_back(truth);
     record.steps.push_back(senses.next(truth, *drive.robot().scan()));
     const models::SensorStep& step = record.steps.back();
@@ -73,7 +76,7 @@ MissionRecord Mission::run(const MissionListener& listener) {
       if (listener && !listener(*report, explorer_)) break;
     }
     touched_before = touched;
-    touched = drive.until(static_cast<double>(k + 1) * period_s, command);
+    touched = drive.until(timeOf(k + 1), command);
     if (touched && !touched_before)
       record.collisions.push_back({drive.robot().time_s(), drive.robot().pose()});
   }

@@ -1,4 +1,4 @@
-#include "collision.h"
+#include "ariadne/sim/collision.h"
 
 #include <algorithm>
 

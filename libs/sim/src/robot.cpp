@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "collision.h"
+#include "ariadne/sim/collision.h"
 
 namespace ariadne::sim {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "ariadne/core/error.h"
 #include "ariadne/core/random.h"
+#include "ariadne/sim/collision.h"
 #include "ariadne/sim/world.h"
-#include "collision.h"
 #include "script_lines.h"
 #include "world_cells.h"
 

@@ -42,6 +42,8 @@ class Explorer {
   double travelled_m() const { return travelled_m_; }
   /// Longest time that one decision took, s.
   double slowestDecision_s() const { return slowest_s_; }
+  /// Time of all decisions, s.
+  double decisions_s() const { return decisions_s_; }
 
  private:
   enum class Mode { looking_around, driving, facing, backing_off, done };
@@ -89,6 +91,7 @@ class Explorer {
   int lost_ = 0;  // how often in a row the way to the goal was lost
   int touches_ = 0;
   double slowest_s_ = 0;
+  double decisions_s_ = 0;
 };
 
 }  // namespace ariadne::explore

@@ -27,13 +27,16 @@ struct ExploreParams {
   bool drive_home = false;
 };
 
+inline core::Choices<Strategy> strategies() {
+  return {{"frontier", Strategy::frontier},
+          {"active_uncertainty", Strategy::active_uncertainty},
+          {"active_neff", Strategy::active_neff},
+          {"active_neff_recovery", Strategy::active_neff_recovery}};
+}
+
 template <class V>
 void visitFields(V& v, ExploreParams& p) {
-  v.choice("strategy", p.strategy,
-           core::Choices<Strategy>{{"frontier", Strategy::frontier},
-                                   {"active_uncertainty", Strategy::active_uncertainty},
-                                   {"active_neff", Strategy::active_neff},
-                                   {"active_neff_recovery", Strategy::active_neff_recovery}},
+  v.choice("strategy", p.strategy, strategies(),
            "what is done about loops: nothing; closed until the pose is as certain as at the entry "
            "[19]; closed until Neff is constant; the same, and diversity recovered (the paper's)");
   v.choice("frontier_choice", p.frontier_choice,

@@ -16,6 +16,10 @@ using NextStep = std::function<std::optional<models::SensorStep>()>;
 /// number of steps. The file appears whole or not at all; throws core::Error naming it.
 std::size_t writeRawlog(const std::filesystem::path& path, const NextStep& next);
 
+/// The same as single observations, CObservationOdometry and scan: odometry and, at MRPT's 100 ns,
+/// times are read back to the bit. Returns and throws as writeRawlog.
+std::size_t writeObservationRawlog(const std::filesystem::path& path, const NextStep& next);
+
 enum class CarmenLaser {
   /// ROBOTLASER1 lines carry start angle, resolution and maximum range: any planar laser fits.
   robotlaser,

@@ -1,0 +1,107 @@
+#include "explore_config.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+
+#include "ariadne/explore/strategy.h"
+#include "ariadne/io/ini_fields.h"
+#include "ariadne/io/ini_text.h"
+
+namespace ariadne::explore_app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The dedicated flags as entries, so that they are checked and explained like the INI's.
+std::vector<io::IniEntry> flagEntries(const Options& o) {
+  std::vector<io::IniEntry> entries;
+  const auto add = [&](const std::optional<std::string>& value, const char* section,
+                       const char* key, const char* flag) {
+    if (value) entries.push_back({section, key, *value, flag});
+  };
+  add(o.world, "world", "file", "--world");
+  add(o.start, "world", "start", "--start");
+  add(o.strategy, "explore", "strategy", "--strategy");
+  add(o.particles, "filter", "particles", "--particles");
+  add(o.seed, "filter", "seed", "--seed");
+  add(o.threads, "run", "threads", "--threads");
+  add(o.out, "run", "out", "--out");
+  if (o.no_pictures) entries.push_back({"run", "pictures", "false", "--no-pictures"});
+  return entries;
+}
+
+std::vector<std::string> warningsOf(const ExploreConfig& config) {
+  std::vector<std::string> warnings;
+  const auto& robot = config.mission.explore;
+  const auto& truth = config.mission.sim.drive;
+  if (robot.robot_radius_m < truth.robot_radius_m)
+    warnings.push_back(
+        fmt::format("[explore] robot_radius_m = {} is less than the robot's true one, [drive] "
+                    "robot_radius_m = {}: it will touch walls",
+                    robot.robot_radius_m, truth.robot_radius_m));
+  if (isActive(robot.strategy) && !config.mission.slam.loop_closing.enabled)
+    warnings.emplace_back("[loop_closing] enabled = false: no loop will be closed on purpose");
+  return warnings;
+}
+
+bool isPicture(const fs::path& file) {
+  std::string ending = file.extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return ending == ".png" || ending == ".pgm" || ending == ".bmp";
+}
+
+}  // namespace
+
+ResolvedConfig resolveConfig(const Options& options) {
+  ResolvedConfig resolved;
+  ExploreConfig& config = resolved.config;
+  const fs::path file = options.config_file;
+  io::applyIni(config, io::parseIni(io::readIniText(file), file.string(), io::IniDialect::strict));
+  std::string& world = config.world.file;
+  if (!world.empty()) world = (file.parent_path() / world).string();
+  for (const std::string& setting : options.settings)
+    io::setField(config, io::parseSetting(setting));
+  for (const io::IniEntry& entry : flagEntries(options)) io::setField(config, entry);
+  if (!world.empty()) world = fs::absolute(world).lexically_normal().string();
+  explore::applyStrategy(config.mission.explore.strategy, config.mission.slam);
+  resolved.warnings = warningsOf(config);
+  return resolved;
+}
+
+sim::World readWorldOf(const ExploreConfig& config) {
+  const WorldParams& world = config.world;
+  return isPicture(world.file) ? sim::readWorldPicture(world.file, world.resolution_m)
+                               : sim::readWorld(world.file);
+}
+
+mrpt::math::TPose2D startOf(const ExploreConfig& config, const sim::World& world) {
+  const std::string& text = config.world.start;
+  if (text.empty()) {
+    if (world.start) return *world.start;
+    return sim::drawStart(world, config.mission.sim.drive.robot_radius_m,
+                          config.mission.slam.filter.seed);
+  }
+  std::istringstream words(text);
+  mrpt::math::TPose2D start;
+  char first_comma = 0;
+  char second_comma = 0;
+  double degrees = 0;
+  words >> start.x >> first_comma >> start.y >> second_comma >> degrees;
+  const bool read = !words.fail() && first_comma == ',' && second_comma == ',';
+  if (!read || !(words >> std::ws).eof())
+    throw core::UsageError(
+        fmt::format("[world] start = {}: it takes x,y,degrees, for instance 10,2.5,90", text));
+  start.phi = degrees * M_PI / 180;
+  return start;
+}
+
+std::string outputFolderOf(const ExploreConfig& config) {
+  return config.run.out.empty() ? slam_app::newFolderFor(config.world.file) : config.run.out;
+}
+
+}  // namespace ariadne::explore_app
