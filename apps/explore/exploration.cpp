@@ -118,7 +118,7 @@ void measure(ExplorationResult& result, const mission::Mission& mission, const s
   const double resolution_m = params.slam.grid.resolution_m;
   const auto truth = mission::seeable(world, start, params.sim.drive, resolution_m);
   result.coverage = mission::coverage(
-      truth, mission::sighted(result.mission.steps, result.mission.truth, resolution_m));
+      world, truth, mission::sighted(result.mission.steps, result.mission.truth, resolution_m));
   slam_app::RunResult& mapping = result.mapping;
   mapping.truth = slam_app::fitTruth(mapping.path, result.mission.truth);
   const auto truth_from_map = models::relativePose(mapping.truth->map_from_truth, {0, 0, 0});

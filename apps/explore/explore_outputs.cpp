@@ -99,11 +99,12 @@ std::vector<Output> outputsOf(const ExploreConfig& config, const ExplorationResu
 
 std::string summaryText(const ExplorationResult& result, double writing_s,
                         const std::vector<std::string>& files) {
-  auto mapping = slam_app::summaryOf(result.mapping, writing_s, files);
+  const auto mapping = slam_app::summaryOf(result.mapping, writing_s, files);
   nlohmann::ordered_json json = {{"program", "ariadne-explore"},
-                                 {"versions", mapping["versions"]},
-                                 {"complete", mapping["complete"]}};
-  for (const auto& [key, value] : explorationOf(result).items()) json[key] = value;
+                                 {"versions", mapping.at("versions")},
+                                 {"complete", mapping.at("complete")}};
+  const auto own = explorationOf(result);
+  for (const auto& [key, value] : own.items()) json[key] = value;
   for (const auto& [key, value] : mapping.items())
     if (!json.contains(key)) json[key] = value;
   json["parameters"] = slam_app::parametersJson(result.config);

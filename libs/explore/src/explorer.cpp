@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ariadne/explore/goal_check.h"
 #include "ariadne/explore/guard.h"
 #include "ariadne/models/motion_model.h"
 
@@ -19,7 +20,12 @@ constexpr int kMostTouches = 20;
 constexpr double kGuard_m = 0.1;
 constexpr double kBackOff_m_s = 0.15;
 constexpr double kBackOff_s = 2;
-constexpr double kFacePatience_s = 12;
+constexpr double kFacePatience_s = 8;
+constexpr double kSameFrontier_m = 0.5;
+
+double distance(const TPoint2D& p, const TPose2D& robot) {
+  return std::hypot(p.x - robot.x, p.y - robot.y);
+}
 
 }  // namespace
 
@@ -40,6 +46,12 @@ VelocityCommand Explorer::step(const Belief& belief) {
   if (travelled_m_ >= params_.max_distance_m) end(belief, "max_distance_m is driven");
   if (belief.time_s >= params_.max_time_s) end(belief, "max_time_s is over");
   if (belief.touched && mode_ != Mode::backing_off) touch(belief);
+  const VelocityCommand command = act(belief);
+  updates_ = belief.mapper.updates();
+  return command;
+}
+
+VelocityCommand Explorer::act(const Belief& belief) {
   switch (mode_) {
     case Mode::looking_around:
       return lookAround(belief);
@@ -63,15 +75,29 @@ VelocityCommand Explorer::lookAround(const Belief& belief) {
   return {0, params_.turn_deg_s * M_PI / 180};
 }
 
-/// Decisions are looked over again as the map grows, and at once when a loop opens or closes.
-bool Explorer::reconsiders(const Belief& belief) const {
+/// A decision is made anew when a loop opens or closes, and when what it aimed at is gone.
+bool Explorer::reconsiders(const Belief& belief) {
   const auto open = belief.mapper.openClosings();
   const bool in_loop = std::any_of(open.begin(), open.end(), [&](const closing::Closing* c) {
     return !isShut(*c) && params_.strategy != Strategy::frontier;
   });
   if (in_loop != (goal_ == Goal::entry || goal_ == Goal::loop)) return true;
   if (goal_ == Goal::entry && open.back()->entered) return true;
-  return travelled_m_ - decided_at_m_ >= 1 || belief.time_s - decided_at_s_ >= 5;
+  // So that it never has to brake.
+  constexpr double kNearPlace_m = 1.5;
+  if (goal_ == Goal::loop && distance(target_, belief.mapper.pose()) < kNearPlace_m) return true;
+  if (belief.time_s - checked_at_s_ >= 5) return true;  // hardly moves
+  if (travelled_m_ - checked_at_m_ < 1) return false;
+  checked_at_m_ = travelled_m_;
+  checked_at_s_ = belief.time_s;
+  return !goalStands(belief);
+}
+
+bool Explorer::goalStands(const Belief& belief) const {
+  const auto& map = belief.mapper.particles()[belief.mapper.particles().best()].map;
+  if (goal_ == Goal::frontier && !bordersUnknown(map, target_, 1.5 * params_.planning_cell_m))
+    return false;
+  return routeHolds(map, follower_.route(), follower_.next(), belief.mapper.pose(), params_);
 }
 
 VelocityCommand Explorer::drive(const Belief& belief) {
@@ -107,19 +133,24 @@ VelocityCommand Explorer::drive(const Belief& belief) {
   return command;
 }
 
-/// At a frontier: turns to it until it gives way; one that stays has failed.
+/// At a frontier: turns to it until the filter took a scan with it in view. One that stays as it
+/// was has failed.
 VelocityCommand Explorer::face(const Belief& belief) {
-  const auto command = follower_.face(belief.mapper.pose(), target_);
-  const bool stood = belief.time_s - mode_since_s_ >= kFacePatience_s;
-  if (command.turn_rad_s != 0 && !stood) return command;
-  // A turn on, so that the filter takes a scan from here.
-  if (!stood && belief.time_s - mode_since_s_ < kFacePatience_s / 2)
-    return {0, params_.turn_deg_s * M_PI / 360};
+  constexpr double kInView = 60 * M_PI / 180;
+  const TPose2D pose = belief.mapper.pose();
+  const double error =
+      std::remainder(std::atan2(target_.y - pose.y, target_.x - pose.x) - pose.phi, 2 * M_PI);
+  const bool looked = belief.mapper.updates() > updates_ && std::abs(error) < kInView;
+  if (!looked && belief.time_s - mode_since_s_ < kFacePatience_s) {
+    const auto command = follower_.face(pose, target_);
+    // Past it, for the filter takes a scan only after a turn.
+    return command.turn_rad_s != 0 ? command : VelocityCommand{0, params_.turn_deg_s * M_PI / 180};
+  }
   const TPoint2D target = target_;
   decide(belief);
   if (mode_ == Mode::driving && goal_ == Goal::frontier &&
-      std::hypot(target_.x - target.x, target_.y - target.y) < 0.3 &&
-      follower_.arrived(belief.mapper.pose())) {
+      std::hypot(target_.x - target.x, target_.y - target.y) < kSameFrontier_m &&
+      follower_.arrived(pose)) {
     failTarget("seen from beside it, it did not give way");
     decide(belief);
   }

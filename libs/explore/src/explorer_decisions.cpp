@@ -51,8 +51,8 @@ std::vector<Candidate> candidatesOf(const std::vector<Frontier>& frontiers) {
 
 void Explorer::decide(const Belief& belief) {
   const auto start = std::chrono::steady_clock::now();
-  decided_at_m_ = travelled_m_;
-  decided_at_s_ = belief.time_s;
+  decided_at_s_ = checked_at_s_ = belief.time_s;
+  checked_at_m_ = travelled_m_;
   const TPose2D pose = belief.mapper.pose();
   const Planner planner(
       std::make_shared<PlanningGrid>(bestOf(belief.mapper).map, params_.planning_cell_m,

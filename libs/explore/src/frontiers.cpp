@@ -13,8 +13,10 @@ constexpr double kFailedRadius_m = 0.6;
 
 double distance(const TPoint2D& a, const TPoint2D& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-bool isFrontier(const PlanningGrid& grid, int cell) {
-  if (grid.kind(cell) != CellKind::free) return false;
+/// Nearer to a wall than its radius the robot's centre cannot pass; and there the wall itself has
+/// gaps where beams grazed it.
+bool isFrontier(const PlanningGrid& grid, int cell, double robot_radius_m) {
+  if (grid.kind(cell) != CellKind::free || grid.wallDistance(cell) < robot_radius_m) return false;
   const int w = grid.width();
   const std::array<int, 4> beside{cell - 1, cell + 1, cell - w, cell + w};
   return std::any_of(beside.begin(), beside.end(),
@@ -83,7 +85,7 @@ std::vector<Frontier> findFrontiers(const Planner& planner, const ExploreParams&
   std::vector<std::uint8_t> marked(static_cast<std::size_t>(grid.size()), 0);
   for (int y = 1; y < grid.height() - 1; ++y)
     for (int i = y * grid.width() + 1; i < (y + 1) * grid.width() - 1; ++i)
-      marked[i] = isFrontier(grid, i);
+      marked[i] = isFrontier(grid, i, params.robot_radius_m);
   std::vector<Frontier> frontiers;
   for (int i = 0; i < grid.size(); ++i) {
     if (!marked[i]) continue;

@@ -58,13 +58,17 @@ OccupancyGrid sighted(const std::vector<models::SensorStep>& steps, const models
   return out;
 }
 
-double coverage(const OccupancyGrid& seeable, const OccupancyGrid& sighted) {
+double coverage(const sim::World& world, const OccupancyGrid& seeable,
+                const OccupancyGrid& sighted) {
   std::size_t free = 0;
   std::size_t known = 0;
   seeable.cells().forEachTile([&](int tx, int ty, const auto& tile) {
     const auto* other = sighted.cells().tile(tx, ty);
-    for (std::size_t i = 0; i < tile.size(); ++i) {
+    for (int i = 0; i < static_cast<int>(tile.size()); ++i) {
       if (tile[i] <= 0) continue;
+      const auto at = seeable.centreOf({tx * grid::kTileCells + i % grid::kTileCells,
+                                        ty * grid::kTileCells + i / grid::kTileCells});
+      if (world.map.getPos(static_cast<float>(at.x), static_cast<float>(at.y)) < 0.9F) continue;
       ++free;
       known += other && (*other)[i] != 0;
     }

@@ -55,6 +55,7 @@ class Explorer {
   bool followLoop(const Belief& belief, const Planner& planner, const closing::Closing& loop);
   void decideFrontier(const Belief& belief, const Planner& planner);
   void decideHome(const Belief& belief, const Planner& planner);
+  models::VelocityCommand act(const Belief& belief);
   models::VelocityCommand drive(const Belief& belief);
   models::VelocityCommand face(const Belief& belief);
   models::VelocityCommand lookAround(const Belief& belief);
@@ -66,7 +67,8 @@ class Explorer {
   void end(const Belief& belief, const std::string& reason);
   void go(Goal goal, const mrpt::math::TPoint2D& target, Route route);
   Decision& note(const Belief& belief, DecisionKind kind, const std::string& text);
-  bool reconsiders(const Belief& belief) const;
+  bool reconsiders(const Belief& belief);
+  bool goalStands(const Belief& belief) const;
 
   ExploreParams params_;
   RouteFollower follower_;
@@ -86,9 +88,11 @@ class Explorer {
   double travelled_m_ = 0;
   double turned_ = 0;  // rad, in the present look around
   double mode_since_s_ = 0;
-  double decided_at_m_ = 0;
   double decided_at_s_ = 0;
-  int lost_ = 0;  // how often in a row the way to the goal was lost
+  double checked_at_m_ = 0;
+  double checked_at_s_ = 0;
+  std::size_t updates_ = 0;  // of the filter, at the last step
+  int lost_ = 0;             // how often in a row the way to the goal was lost
   int touches_ = 0;
   double slowest_s_ = 0;
   double decisions_s_ = 0;

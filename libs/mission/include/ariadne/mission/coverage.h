@@ -21,8 +21,10 @@ grid::OccupancyGrid seeable(const sim::World& world, const mrpt::math::TPose2D& 
 grid::OccupancyGrid sighted(const std::vector<models::SensorStep>& steps,
                             const models::Trajectory& truth, double resolution_m);
 
-/// Share of the cells free in `seeable` that are known in `sighted`, 0 to 1; both have the same
-/// resolution. 1 when none is free.
-double coverage(const grid::OccupancyGrid& seeable, const grid::OccupancyGrid& sighted);
+/// Share of the cells of floor that are free in `seeable` which are known in `sighted`, 0 to 1; both
+/// have the same resolution. Beams at grazing angles end behind the wall's face: what they clear
+/// there does not count. 1 when there is no such cell.
+double coverage(const sim::World& world, const grid::OccupancyGrid& seeable,
+                const grid::OccupancyGrid& sighted);
 
 }  // namespace ariadne::mission

@@ -1,0 +1,51 @@
+#include "ariadne/explore/goal_check.h"
+
+#include <cmath>
+
+namespace ariadne::explore {
+namespace {
+
+using mrpt::math::TPoint2D;
+
+/// Calls f(log odds) for the map's cells whose centres are within `reach_m` of the point.
+template <class F>
+void forEachNear(const grid::OccupancyGrid& map, const TPoint2D& point, double reach_m, F&& f) {
+  const grid::Cell centre = map.cellOf(point);
+  const int reach = static_cast<int>(std::ceil(reach_m / map.resolution()));
+  for (int y = centre.y - reach; y <= centre.y + reach; ++y)
+    for (int x = centre.x - reach; x <= centre.x + reach; ++x) {
+      const TPoint2D at = map.centreOf({x, y});
+      if (std::hypot(at.x - point.x, at.y - point.y) <= reach_m) f(map.at({x, y}));
+    }
+}
+
+}  // namespace
+
+bool routeHolds(const grid::OccupancyGrid& map, const Route& route, std::size_t next,
+                const mrpt::math::TPose2D& robot, const ExploreParams& params) {
+  constexpr double kOff_m = 0.8;
+  constexpr double kLookahead_m = 6;
+  constexpr double kEvery_m = 0.3;
+  if (next >= route.size()) return false;
+  if (std::hypot(route[next].x - robot.x, route[next].y - robot.y) > kOff_m) return false;
+  double way = 0;
+  double looked = -kEvery_m;
+  for (std::size_t i = next; i < route.size() && way < kLookahead_m; ++i) {
+    if (i > next) way += std::hypot(route[i].x - route[i - 1].x, route[i].y - route[i - 1].y);
+    if (way - looked < kEvery_m) continue;
+    looked = way;
+    bool wall = false;
+    forEachNear(map, route[i], params.robot_radius_m, [&](std::int8_t odds) { wall |= odds < 0; });
+    if (wall) return false;
+  }
+  return true;
+}
+
+bool bordersUnknown(const grid::OccupancyGrid& map, const TPoint2D& point, double reach_m) {
+  constexpr int kFew = 3;
+  int unknown = 0;
+  forEachNear(map, point, reach_m, [&](std::int8_t odds) { unknown += odds == 0; });
+  return unknown >= kFew;
+}
+
+}  // namespace ariadne::explore
