@@ -125,7 +125,7 @@ VelocityCommand Explorer::drive(const Belief& belief) {
       ++lost_;
       decide(belief);
       if (lost_ >= params_.giveup && mode_ == Mode::driving) {
-        failTarget("the way there was blocked again and again");
+        giveUp(belief, "the way there was blocked again and again");
         decide(belief);
       }
     }
@@ -177,10 +177,25 @@ VelocityCommand Explorer::backOff(const Belief& belief) {
   return {};
 }
 
-void Explorer::failTarget(const std::string& why) {
-  failed_.push_back({target_, why});
+/// What the robot is on its way to is not gone to again.
+void Explorer::giveUp(const Belief& belief, const std::string& why) {
+  switch (goal_) {
+    case Goal::entry:
+    case Goal::loop:
+      for (const closing::Closing* loop : belief.mapper.openClosings())
+        if (loop->name == loop_name_) shut(belief, *loop, why);
+      break;
+    case Goal::home:
+      end(belief, "explored; " + why);
+      break;
+    case Goal::frontier:
+    case Goal::none:
+      failTarget(why);
+  }
   lost_ = 0;
 }
+
+void Explorer::failTarget(const std::string& why) { failed_.push_back({target_, why}); }
 
 void Explorer::go(Goal goal, const TPoint2D& target, Route route) {
   const bool same = goal == goal_ && std::hypot(target.x - target_.x, target.y - target_.y) < 0.5;

@@ -87,6 +87,7 @@ bool Explorer::approachEntry(const Belief& belief, const Planner& planner,
     shut(belief, loop, "at the entry's place the robot does not recognise it");
     return false;
   }
+  loop_name_ = loop.name;
   if (goal_ != Goal::entry) {
     Decision& d = note(belief, DecisionKind::approach,
                        fmt::format("a loop can be closed: {:.1f} m by the map, {:.1f} m by the "
@@ -101,9 +102,10 @@ bool Explorer::approachEntry(const Belief& belief, const Planner& planner,
 
 bool Explorer::followLoop(const Belief& belief, const Planner& planner,
                           const closing::Closing& loop) {
-  if (!loop_route_ || loop_name_ != loop.name) {
+  loop_name_ = loop.name;
+  if (!loop_route_ || followed_ != loop.name) {
     loop_route_.emplace(loop.opportunity.te, *loop.entered);
-    loop_name_ = loop.name;
+    followed_ = loop.name;
     note(belief, DecisionKind::follow,
          "at the entry of the loop: follows the path taken from there")
         .loop = numbersOf(loop);

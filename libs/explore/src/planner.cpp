@@ -35,6 +35,8 @@ void Planner::markOpen(const ExploreParams& params, int start) {
       open_[i] = grid_->kind(i) == CellKind::free && grid_->wallDistance(i) >= wall &&
                  grid_->unknownDistance(i) >= params.robot_radius_m;
   if (start < 0) return;
+  // Out of a place too near to a wall, but never nearer to it.
+  const double least = std::min(wall, grid_->wallDistance(start));
   const int reach = static_cast<int>(std::ceil(wall / grid_->cell_m())) + 1;
   for (int dy = -reach; dy <= reach; ++dy)
     for (int dx = -reach; dx <= reach; ++dx) {
@@ -42,7 +44,9 @@ void Planner::markOpen(const ExploreParams& params, int start) {
       const int y = start / w + dy;
       if (x < 1 || y < 1 || x >= w - 1 || y >= grid_->height() - 1) continue;
       const int i = y * w + x;
-      if (std::hypot(dx, dy) <= reach && grid_->kind(i) == CellKind::free) open_[i] = 1;
+      if (std::hypot(dx, dy) <= reach && grid_->kind(i) == CellKind::free &&
+          grid_->wallDistance(i) >= least)
+        open_[i] = 1;
     }
   open_[start] = 1;
 }

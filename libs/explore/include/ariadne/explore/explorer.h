@@ -61,6 +61,7 @@ class Explorer {
   models::VelocityCommand lookAround(const Belief& belief);
   models::VelocityCommand backOff(const Belief& belief);
   void touch(const Belief& belief);
+  void giveUp(const Belief& belief, const std::string& why);
   void failTarget(const std::string& why);
   void shut(const Belief& belief, const closing::Closing& loop, const std::string& why);
   bool isShut(const closing::Closing& loop) const;
@@ -83,7 +84,8 @@ class Explorer {
   std::vector<std::size_t> shut_;                 // closings that were given up, by name
   std::vector<mrpt::math::TPoint2D> shut_entries_;
   std::optional<LoopRoute> loop_route_;
-  std::size_t loop_name_ = 0;
+  std::size_t followed_ = 0;                   // the closing that loop_route_ is of
+  std::size_t loop_name_ = 0;                  // that the robot drives to or follows
   std::optional<mrpt::math::TPose2D> before_;  // pose at the last step
   double travelled_m_ = 0;
   double turned_ = 0;  // rad, in the present look around
