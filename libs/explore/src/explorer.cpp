@@ -85,9 +85,12 @@ bool Explorer::reconsiders(const Belief& belief) {
   if (goal_ == Goal::entry && open.back()->entered) return true;
   // So that it never has to brake.
   constexpr double kNearPlace_m = 1.5;
-  if (goal_ == Goal::loop && distance(target_, belief.mapper.pose()) < kNearPlace_m) return true;
+  const double since_check_m = travelled_m_ - checked_at_m_;
+  if (goal_ == Goal::loop && distance(target_, belief.mapper.pose()) < kNearPlace_m &&
+      since_check_m > 0.3)
+    return true;
   if (belief.time_s - checked_at_s_ >= 5) return true;  // hardly moves
-  if (travelled_m_ - checked_at_m_ < 1) return false;
+  if (since_check_m < 1) return false;
   checked_at_m_ = travelled_m_;
   checked_at_s_ = belief.time_s;
   return !goalStands(belief);

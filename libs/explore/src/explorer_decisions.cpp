@@ -114,6 +114,8 @@ bool Explorer::followLoop(const Belief& belief, const Planner& planner,
     shut(belief, loop, fmt::format("followed for {} laps (max_laps)", params_.max_laps));
     return false;
   }
+  // It may have come as near to the last place as it can and still not have passed it.
+  if (goal_ == Goal::loop && follower_.arrived(belief.mapper.pose())) loop_route_->skip();
   for (int attempt = 0; attempt < params_.giveup; ++attempt) {
     const TPoint2D place = loop_route_->next(bestOf(belief.mapper).ancestor, belief.mapper.pose());
     const int cell = planner.nearestTo(place, 1);
