@@ -38,7 +38,8 @@ TEST(Frontiers, AreWhereFreeBordersOnUnknown) {
   ASSERT_EQ(frontiers.size(), 2U);
   for (const Frontier& f : frontiers) {
     EXPECT_EQ(f.left, "");
-    EXPECT_NEAR(f.width_m, 1, 0.15);
+    // An opening of 1 m, less the cells within a radius of its jambs.
+    EXPECT_NEAR(f.width_m, 1 - 2 * ExploreParams().robot_radius_m, 0.15);
     ASSERT_GE(f.stand, 0);
     EXPECT_LT(std::hypot(planner.grid().centreOf(f.stand).x - f.target.x,
                          planner.grid().centreOf(f.stand).y - f.target.y),

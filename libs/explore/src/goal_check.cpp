@@ -25,7 +25,7 @@ bool routeHolds(const grid::OccupancyGrid& map, const Route& route, std::size_t 
                 const mrpt::math::TPose2D& robot, const ExploreParams& params) {
   constexpr double kOff_m = 0.8;
   constexpr double kLookahead_m = 6;
-  constexpr double kEvery_m = 0.3;
+  constexpr double kEvery_m = 0.15;
   if (next >= route.size()) return false;
   if (std::hypot(route[next].x - robot.x, route[next].y - robot.y) > kOff_m) return false;
   double way = 0;

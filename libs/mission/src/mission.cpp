@@ -51,7 +51,9 @@ Mission::Mission(const sim::World& world, const mrpt::math::TPose2D& start,
       world_(world),
       start_(start),
       mapper_(params_.slam, threads),
-      explorer_(params_.explore) {}
+      explorer_(params_.explore) {
+  sim::Robot(world_, start_, params_.sim.drive);  // throws where it cannot stand
+}
 
 MissionRecord Mission::run(const MissionListener& listener) {
   MissionRecord record;

@@ -24,8 +24,8 @@ struct FailedTarget {
   std::string why;
 };
 
-/// All frontiers, those with a reason to be left too, in the order of their first cell. A frontier
-/// is left when it is narrower than the robot, when no way leads to a place from which it can be
+/// All frontiers, those with a reason to be left too, in the order of their first cell. Cells within
+/// the robot's radius of a wall do not count: its centre cannot pass there. A frontier is left when it is narrower than the robot, when no way leads to a place from which it can be
 /// seen, or when all of it is near failed targets.
 std::vector<Frontier> findFrontiers(const Planner& planner, const ExploreParams& params,
                                     const std::vector<FailedTarget>& failed);
