@@ -159,7 +159,8 @@ void LoopCloser::save(std::size_t name, const filter::ParticleSet& particles) {
   extras_[name].saving = std::move(record);
   for (const std::size_t dropped : stack_.push(name, std::move(set)))
     extras_[dropped].note = fmt::format(
-        "the saved set was dropped: saved sets took more than recovery.memory_budget_mb = {}",
+        "the saved set was dropped, so nothing was recovered: saved sets took more than "
+        "recovery.memory_budget_mb = {}",
         params_.recovery.memory_budget_mb);
 }
 
