@@ -16,6 +16,7 @@
 #include "ariadne/io/ini_text.h"
 #include "ariadne/io/whole_file.h"
 #include "neff_chart.h"
+#include "neff_log.h"
 
 namespace ariadne {
 namespace {
@@ -31,12 +32,17 @@ constexpr const char* kFooter =
     "  ariadne-loop-experiment run ini/experiments/nested.ini rows.csv --laps 10 --first 1 --last "
     "60\n"
     "  ariadne-loop-experiment table rows.csv\n"
-    "  ariadne-loop-experiment neff ini/experiments/nested.ini neff.png --laps 4";
+    "  ariadne-loop-experiment neff ini/experiments/nested.ini neff.png --laps 4\n"
+    "  ariadne-loop-experiment neff-log truth.tum neff.png --plain a-*/steps.csv --revisit "
+    "b-*/steps.csv";
 
 struct Arguments {
   std::string ini;
   std::string rows;
   std::vector<std::string> tables;
+  std::string truth;
+  std::vector<std::string> plain;
+  std::vector<std::string> revisit;
   std::vector<std::string> settings;
   std::optional<int> laps;
   std::uint64_t first = 1;
@@ -145,6 +151,14 @@ int run(std::vector<std::string> args, std::ostream& out, std::ostream& err) {
   oracle->add_option("--last", a.last, "last seed")->capture_default_str();
   CLI::App* table = app.add_subcommand("table", "Rates with intervals, tests and losses, Markdown");
   table->add_option("ROWS", a.tables, "CSV files")->required();
+  CLI::App* log = app.add_subcommand(
+      "neff-log", "Fall of Neff on new ground and on ground driven again, of recorded drives");
+  log->add_option("TRUTH", a.truth, "TUM file of the true path")->required();
+  log->add_option("OUT", a.rows, "PNG to write")->required();
+  log->add_option("--plain", a.plain, "steps.csv of ariadne-slam, filter.revisit_exponent = 0")
+      ->required();
+  log->add_option("--revisit", a.revisit, "steps.csv of the same drive with revisit weights")
+      ->required();
   try {
     std::reverse(args.begin(), args.end());
     app.parse(args);
@@ -158,6 +172,8 @@ int run(std::vector<std::string> args, std::ostream& out, std::ostream& err) {
     printOracle(a, out);
   else if (*neff)
     drawNeff(a, out);
+  else if (*log)
+    out << loops_app::neffOfLog(a.rows, a.truth, a.plain, a.revisit);
   else
     printTable(a, out);
   return 0;

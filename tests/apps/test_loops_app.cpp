@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 
 #include "ariadne/experiment/run_rows.h"
@@ -74,4 +75,33 @@ TEST(LoopsApp, ShippedExperimentsRun) {
     EXPECT_EQ(ran.code, 2) << ran.err;
     EXPECT_NE(ran.err.find("c1_m = 999 is not less"), std::string::npos) << ran.err;
   }
+}
+
+TEST(LoopsApp, NeffOfALogByItsPasses) {
+  const fs::path folder =
+      fs::temp_directory_path() / ("ariadne-neff-log-" + std::to_string(::getpid()));
+  fs::create_directories(folder);
+  const std::string truth = (folder / "truth.tum").string();
+  std::ofstream(truth) << "0 0 0 0 0 0 0 1\n30 30 0 0 0 0 0 1\n60 0 0 0 0 0 0 1\n";
+  const auto steps = [&](const char* name, double neff) {
+    const std::string file = (folder / name).string();
+    std::ofstream(file) << "step,time_s,neff,resampled,particles,\n0,0,30,0,30,\n1,15,15,1,30,\n"
+                        << "2,55," << neff << ",0,30,\n";
+    return file;
+  };
+  const std::string png = (folder / "neff.png").string();
+  const Ran ran = run({"neff-log", truth, png, "--plain", steps("a.csv", 15), steps("b.csv", 15),
+                       "--revisit", steps("c.csv", 30), steps("d.csv", 30)});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  // ln 2 over 15 m of new ground; the same over 40 m on the way back, or nothing.
+  EXPECT_NE(ran.out.find("| never | 15 | plain | -0.46 [-0.46 to -0.46] | 0.67 "),
+            std::string::npos)
+      << ran.out;
+  EXPECT_NE(ran.out.find("| once | 40 | plain | -0.17 "), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("| once | 40 | revisit | 0.00 "), std::string::npos) << ran.out;
+  EXPECT_EQ(ran.out.find("twice"), std::string::npos) << "nothing was";
+  EXPECT_TRUE(fs::exists(png));
+  EXPECT_EQ(run({"neff-log", truth, png, "--plain", "/none.csv", "--revisit", "/none.csv"}).code,
+            1);
+  fs::remove_all(folder);
 }

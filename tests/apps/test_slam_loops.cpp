@@ -158,7 +158,7 @@ TEST_F(SlamLoops, ASavedSetOverTheBudgetIsDroppedAndSaid) {
   const json loops = json::parse(written("loops.json"));
   EXPECT_EQ(loops["recovered"], 0);
   const std::string said =
-      "the saved set was dropped: saved sets took more than "
+      "the saved set was dropped, so nothing was recovered: saved sets took more than "
       "recovery.memory_budget_mb = 1";
   EXPECT_NE(loops["closings"][0]["note"].dump().find(said), std::string::npos) << loops;
   EXPECT_NE(err.find("closing 0: " + said), std::string::npos) << err;

@@ -83,6 +83,47 @@ TEST(FreeDistance, IsThatOfBruteForceInRandomMaps) {
   }
 }
 
+TEST(FreeDistance, WallsJustPastTheLimitKeepTheirClearance) {
+  OccupancyGrid map;
+  test::drawRoom(map, -2, -2, 2, 2);
+  const double limit = 1.8;  // up to 0.2 m from the walls
+  const FreeDistance d(map, {0, 0}, limit, 0.25);
+  std::size_t reached = 0;
+  for (const auto& [cell, length] : brute(map, {0, 0}, limit, 0.25)) {
+    EXPECT_TRUE(d.to(map.centreOf(cell))) << cell.x << ' ' << cell.y;
+    ++reached;
+  }
+  std::size_t found = 0;
+  for (int y = -50; y <= 50; ++y)
+    for (int x = -50; x <= 50; ++x) found += d.to(map.centreOf({x, y})).has_value();
+  EXPECT_EQ(found, reached);
+}
+
+TEST(FreeDistance, ToGivenTargetsIsTheSameInASmallerWindow) {
+  for (std::uint32_t seed = 1; seed <= 40; ++seed) {
+    core::RandomStream rng(seed, 1, 0, core::Purpose::test);
+    OccupancyGrid map;
+    test::drawRoom(map, -4, -4, 4, 4);
+    for (int i = 0; i < 150; ++i) {
+      const Cell c = map.cellOf({8 * rng.uniform() - 4, 8 * rng.uniform() - 4});
+      if (std::hypot(c.x, c.y) > 6) map.set(c, i % 3 == 0 ? 0 : -50);
+    }
+    const double radius = 0.05 * (seed % 6);
+    std::vector<mrpt::math::TPoint2D> targets;
+    for (std::uint32_t i = 0; i <= seed % 3; ++i)
+      targets.push_back({6 * rng.uniform() - 3, 6 * rng.uniform() - 3});
+    const FreeDistance whole(map, {0.1, -0.2}, 3, radius);
+    const FreeDistance part(map, {0.1, -0.2}, 3, radius, targets);
+    for (const auto& to : targets) {
+      EXPECT_EQ(part.to(to), whole.to(to)) << seed;
+      const auto place = whole.toPlace(to);
+      if (!place || *place <= 3) {
+        EXPECT_EQ(part.toPlace(to), place) << seed;
+      }
+    }
+  }
+}
+
 TEST(FreeDistance, GoesRoundTheBlock) {
   const auto map = test::ringMap(8);
   const FreeDistance d(map, {0, 0}, 20, 0.2);

@@ -91,6 +91,21 @@ TEST(CurvesPicture, ShowsEachCurve) {
   fs::remove(kFile);
 }
 
+TEST(CurvesPicture, BandsLieUnderTheCurves) {
+  report::CurveChart chart{"t", "x", "y", {{"a", {0, 10}, {5, 5}}}, {}};
+  const auto pixels = [&](double r, double g, double b) {
+    report::writeCurves(kFile, chart);
+    return static_cast<double>(pixelsOf(kFile, r, g, b));
+  };
+  const double line = pixels(0, 0.45, 0.70);
+  const double grey = pixels(0.5, 0.5, 0.5);
+  chart.bands = {{2, 7, 0.5}};
+  // Half of a plot of 830 x 420 pixels or more, less grid and curve.
+  EXPECT_GT(pixels(0.5, 0.5, 0.5), grey + 0.45 * 830 * 420);
+  // Two rows of the line are mixed with what lies under it.
+  EXPECT_GT(pixels(0, 0.45, 0.70), 0.9 * line);
+}
+
 TEST(CurvesPicture, ALegendOfAnyLengthHasRoom) {
   report::CurveChart chart{"t", "x", "y", {}, {}};
   for (int i = 0; i < 7; ++i)

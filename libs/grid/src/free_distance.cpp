@@ -10,30 +10,35 @@ namespace {
 // 99 / 70 is the square root of two to four digits; whole numbers allow a queue of buckets.
 constexpr int kStraight = 70;
 constexpr int kDiagonal = 99;
+constexpr double kMostReach = 250;  // cells; distances along rows are bytes
 
-/// Cells within `reach` cells of one that is not free, as a window of side x side.
+/// Cells within `reach` cells of one that is not free, as a window.
 class Clearance {
  public:
-  Clearance(const OccupancyGrid& map, Cell corner, int side, double reach)
-      : side_(side), reach_(static_cast<int>(reach)), blocked_(area(), 0), nearest_(area()) {
-    for (int y = 0; y < side; ++y) rowDistances(map, corner, y);
+  Clearance(const OccupancyGrid& map, Cell corner, int width, int height, double reach)
+      : width_(width),
+        height_(height),
+        reach_(static_cast<int>(reach)),
+        blocked_(area(), 0),
+        nearest_(area()) {
+    for (int y = 0; y < height; ++y) rowDistances(map, corner, y);
     for (int dy = -reach_; dy <= reach_; ++dy) {
       const int dx = static_cast<int>(std::sqrt(std::max(0.0, reach * reach - dy * dy)));
-      for (int y = std::max(0, -dy); y < std::min(side, side - dy); ++y) spread(y + dy, y, dx);
+      for (int y = std::max(0, -dy); y < std::min(height, height - dy); ++y) spread(y + dy, y, dx);
     }
   }
   const std::vector<std::uint8_t>& blocked() const { return blocked_; }
 
  private:
-  std::size_t area() const { return static_cast<std::size_t>(side_) * side_; }
+  std::size_t area() const { return static_cast<std::size_t>(width_) * height_; }
 
   /// For every cell of the row how far along it the next cell lies that is not free, at most
   /// reach_ + 1.
   void rowDistances(const OccupancyGrid& map, Cell corner, int y) {
-    std::uint8_t* row = &nearest_[static_cast<std::size_t>(y) * side_];
+    std::uint8_t* row = &nearest_[static_cast<std::size_t>(y) * width_];
     const std::vector<std::uint8_t> free = freeRow(map, corner.x - reach_, corner.y + y);
     const int far = reach_ + 1;
-    const int last = side_ + 2 * reach_;
+    const int last = width_ + 2 * reach_;
     int d = far;
     for (int i = 0; i < last - reach_; ++i) {
       d = free[i] ? std::min(d + 1, far) : 0;
@@ -48,8 +53,8 @@ class Clearance {
   }
   /// Whether cells are free, from x0 on; tiles are looked up once, not cell by cell.
   std::vector<std::uint8_t> freeRow(const OccupancyGrid& map, int x0, int y) const {
-    std::vector<std::uint8_t> free(static_cast<std::size_t>(side_ + 2 * reach_), 0);
-    const int x1 = x0 + side_ + 2 * reach_;
+    std::vector<std::uint8_t> free(static_cast<std::size_t>(width_ + 2 * reach_), 0);
+    const int x1 = x0 + width_ + 2 * reach_;
     for (int x = x0; x < x1;) {
       const int end = std::min(x1, ((x >> kTileBits) + 1) * kTileCells);
       if (const auto* tile = map.cells().tile(x >> kTileBits, y >> kTileBits))
@@ -60,41 +65,85 @@ class Clearance {
     return free;
   }
   void spread(int from_row, int to_row, int dx) {
-    const std::uint8_t* from = &nearest_[static_cast<std::size_t>(from_row) * side_];
-    std::uint8_t* to = &blocked_[static_cast<std::size_t>(to_row) * side_];
-    for (int x = 0; x < side_; ++x) to[x] |= static_cast<std::uint8_t>(from[x] <= dx);
+    const std::uint8_t* from = &nearest_[static_cast<std::size_t>(from_row) * width_];
+    std::uint8_t* to = &blocked_[static_cast<std::size_t>(to_row) * width_];
+    for (int x = 0; x < width_; ++x) to[x] |= static_cast<std::uint8_t>(from[x] <= dx);
   }
 
-  int side_;
+  int width_;
+  int height_;
   int reach_;
   std::vector<std::uint8_t> blocked_;
   std::vector<std::uint8_t> nearest_;
 };
 
+struct Box {
+  double x0, x1, y0, y1;
+};
+
+/// Where the ways from `from` lie that are no longer than the limit: all of them, or those to the
+/// targets. A way of length l to b keeps to the ellipse |p - from| + |p - b| <= l.
+Box boxOfWays(const mrpt::math::TPoint2D& from, double limit_m,
+              const std::vector<mrpt::math::TPoint2D>& targets) {
+  if (targets.empty())
+    return {from.x - limit_m, from.x + limit_m, from.y - limit_m, from.y + limit_m};
+  Box box{from.x, from.x, from.y, from.y};
+  for (const auto& to : targets) {
+    // Half extents of an ellipse of major axis l: sqrt(l^2 - d^2 + dx^2) / 2 along x, d between
+    // foci.
+    const double dx = to.x - from.x;
+    const double dy = to.y - from.y;
+    const double rest = std::max(0.0, limit_m * limit_m - dx * dx - dy * dy);
+    const double half_x = std::sqrt(rest + dx * dx) / 2;
+    const double half_y = std::sqrt(rest + dy * dy) / 2;
+    box.x0 = std::min(box.x0, from.x + dx / 2 - half_x);
+    box.x1 = std::max(box.x1, from.x + dx / 2 + half_x);
+    box.y0 = std::min(box.y0, from.y + dy / 2 - half_y);
+    box.y1 = std::max(box.y1, from.y + dy / 2 + half_y);
+  }
+  return box;
+}
+
 }  // namespace
 
 FreeDistance::FreeDistance(const OccupancyGrid& map, const mrpt::math::TPoint2D& from,
-                           double limit_m, double robot_radius_m)
+                           double limit_m, double robot_radius_m,
+                           const std::vector<mrpt::math::TPoint2D>& targets)
     : map_(map),
       resolution_(map.resolution()),
       robot_radius_m_(robot_radius_m),
       limit_units_(static_cast<std::int32_t>(kStraight * limit_m / resolution_)) {
-  const double reach = robot_radius_m / resolution_;
-  // The window has one row more all around, never open, so that neighbours need no bounds.
-  const int half = static_cast<int>(limit_m / resolution_) + 2;
+  // The window has one row more all around, never open, so that neighbours need no bounds; and as
+  // many below and above as a wall's clearance reaches (within a row Clearance looks farther).
+  const int margin = 2 + static_cast<int>(std::min(robot_radius_m / resolution_, kMostReach));
+  // Ways are between centres of cells, half a diagonal from the points at the most.
+  const Box box = boxOfWays(from, limit_m + 2 * resolution_, targets);
+  const Cell low = map.cellOf({box.x0, box.y0});
+  const Cell high = map.cellOf({box.x1, box.y1});
+  corner_ = {low.x - 2, low.y - margin};
+  width_ = high.x - low.x + 5;
+  height_ = high.y - low.y + 2 * margin + 1;
   const Cell start = map.cellOf(from);
-  corner_ = {start.x - half, start.y - half};
-  side_ = 2 * half + 1;
-  const Clearance clearance(map, corner_, side_, std::min(reach, 250.0));
-  open_.assign(clearance.blocked().size(), 0);
-  for (int y = 1; y < side_ - 1; ++y)
-    for (int x = 1; x < side_ - 1; ++x) {
-      const int i = y * side_ + x;
-      const bool leaving = std::abs(x - half) <= reach && std::hypot(x - half, y - half) <= reach;
-      open_[i] = leaving ? map.at({corner_.x + x, corner_.y + y}) > 0 : !clearance.blocked()[i];
-    }
+  openCells(start);
   units_.assign(open_.size(), -1);
-  search(half * side_ + half);
+  search(index(start));
+}
+
+void FreeDistance::openCells(Cell start) {
+  const double reach = robot_radius_m_ / resolution_;
+  const Clearance clearance(map_, corner_, width_, height_, std::min(reach, kMostReach));
+  open_.resize(clearance.blocked().size());
+  for (std::size_t i = 0; i < open_.size(); ++i) open_[i] = !clearance.blocked()[i];
+  const int r = static_cast<int>(reach);
+  for (int dy = -r; dy <= r; ++dy)
+    for (int dx = -r; dx <= r; ++dx) {
+      const Cell c{start.x + dx, start.y + dy};
+      const int i = index(c);
+      if (i >= 0 && std::hypot(dx, dy) <= reach) open_[i] = map_.at(c) > 0;
+    }
+  std::fill_n(open_.begin(), width_, 0);
+  std::fill_n(open_.end() - width_, width_, 0);
+  for (int y = 0; y < height_; ++y) open_[y * width_] = open_[y * width_ + width_ - 1] = 0;
 }
 
 // Dijkstra with a ring of buckets (Dial, 1969): all steps are shorter than the ring.
@@ -102,12 +151,12 @@ void FreeDistance::search(int start) {
   std::array<std::vector<std::pair<std::int32_t, int>>, kDiagonal + 1> ring;
   const std::array<std::pair<int, int>, 8> steps{{{1, kStraight},
                                                   {-1, kStraight},
-                                                  {side_, kStraight},
-                                                  {-side_, kStraight},
-                                                  {side_ + 1, kDiagonal},
-                                                  {side_ - 1, kDiagonal},
-                                                  {-side_ + 1, kDiagonal},
-                                                  {-side_ - 1, kDiagonal}}};
+                                                  {width_, kStraight},
+                                                  {-width_, kStraight},
+                                                  {width_ + 1, kDiagonal},
+                                                  {width_ - 1, kDiagonal},
+                                                  {-width_ + 1, kDiagonal},
+                                                  {-width_ - 1, kDiagonal}}};
   units_[start] = 0;
   ring[0].emplace_back(0, start);
   std::size_t waiting = 1;
@@ -134,7 +183,7 @@ void FreeDistance::search(int start) {
 int FreeDistance::index(Cell c) const {
   const int x = c.x - corner_.x;
   const int y = c.y - corner_.y;
-  return x < 0 || y < 0 || x >= side_ || y >= side_ ? -1 : y * side_ + x;
+  return x < 0 || y < 0 || x >= width_ || y >= height_ ? -1 : y * width_ + x;
 }
 
 std::optional<double> FreeDistance::to(const mrpt::math::TPoint2D& to) const {

@@ -54,6 +54,14 @@ void drawCurve(cairo_t* cr, const Axes& a, const Curve& curve) {
   cairo_stroke(cr);
 }
 
+void drawBands(cairo_t* cr, const Axes& a, const std::vector<Band>& bands) {
+  for (const Band& b : bands) {
+    cairo_set_source_rgb(cr, b.grey, b.grey, b.grey);
+    cairo_rectangle(cr, a.x(b.x0), a.top, a.x(b.x1) - a.x(b.x0), a.height);
+    cairo_fill(cr);
+  }
+}
+
 int legendRows(const CurveChart& chart) {
   return static_cast<int>((chart.curves.size() + kLegendColumns - 1) / kLegendColumns);
 }
@@ -81,6 +89,7 @@ void draw(cairo_t* cr, const CurveChart& chart) {
   drawAligned(cr, kWidth / 2, 24, chart.title, 0.5);
   cairo_set_font_size(cr, 13);
   const Axes axes = axesOf(chart);
+  drawBands(cr, axes, chart.bands);
   drawAxes(cr, axes, chart.x_label.c_str(), chart.y_label.c_str());
   drawMomentLines(cr, axes, chart.moments);
   for (std::size_t i = chart.curves.size(); i-- > 0;) {

@@ -116,7 +116,7 @@ std::optional<std::size_t> LoopCloser::update(const filter::ParticleSet& particl
     report.dist_m = opportunity->dist_m_m;
     report.dist_g = opportunity->dist_g_m;
   }
-  report.unique_ancestors = filter::distinctAncestors(leavesOf(particles), lookBack(report.step));
+  report.unique_ancestors = uniqueAncestors(particles, report.step);
 
   if (events.detected) save(*events.detected, particles);
   for (const std::size_t name : events.given_up) stack_.drop(name);
@@ -136,6 +136,15 @@ std::size_t LoopCloser::lookBack(std::size_t step) const {
   return i;
 }
 
+/// At lookBack(). Lines merge at resamplings only, so that the count stays between them; a closing
+/// of many laps would else walk them all at each update.
+std::size_t LoopCloser::uniqueAncestors(const filter::ParticleSet& particles, std::size_t step) {
+  const std::size_t at = lookBack(step);
+  if (!unique_ || unique_->at != at || particles.figures().resampled)
+    unique_ = {at, filter::distinctAncestors(leavesOf(particles), at)};
+  return unique_->count;
+}
+
 void LoopCloser::save(std::size_t name, const filter::ParticleSet& particles) {
   extras_.resize(watcher_.closings().size());
   const std::size_t te = watcher_.closings()[name].opportunity.te;
@@ -150,7 +159,8 @@ void LoopCloser::save(std::size_t name, const filter::ParticleSet& particles) {
   extras_[name].saving = std::move(record);
   for (const std::size_t dropped : stack_.push(name, std::move(set)))
     extras_[dropped].note = fmt::format(
-        "the saved set was dropped: saved sets took more than recovery.memory_budget_mb = {}",
+        "the saved set was dropped, so nothing was recovered: saved sets took more than "
+        "recovery.memory_budget_mb = {}",
         params_.recovery.memory_budget_mb);
 }
 
@@ -177,7 +187,7 @@ void LoopCloser::recover(std::size_t name, filter::ParticleSet& particles, const
   record.distinct_sources = std::set<std::size_t>(set.sources.begin(), set.sources.end()).size();
   record.contradiction = std::move(set.contradiction);
   particles.replace(std::move(set.particles), set.weights);
-  graphs_ = std::move(set.graphs);
+  setGraphs(std::move(set.graphs));
   record.after = leavesOf(particles);
   record.distinct_after = filter::distinctAncestors(record.after, saved->te);
   record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

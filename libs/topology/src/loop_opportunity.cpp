@@ -33,7 +33,9 @@ std::optional<LoopOpportunity> findOpportunity(const PlaceGraph& graph,
   }
   if (candidates.empty()) return std::nullopt;
 
-  const grid::FreeDistance dist_m(map, position, params.c1_m, params.robot_radius_m);
+  std::vector<mrpt::math::TPoint2D> positions;
+  for (const std::uint32_t i : candidates) positions.push_back(graph.places()[i].position);
+  const grid::FreeDistance dist_m(map, position, params.c1_m, params.robot_radius_m, positions);
   LoopOpportunity found;
   for (const std::uint32_t i : candidates) {
     const auto length = dist_m.toPlace(graph.places()[i].position);

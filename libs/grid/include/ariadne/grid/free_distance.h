@@ -16,8 +16,10 @@ class FreeDistance {
   /// @param limit_m paths longer than this are not followed
   /// @param robot_radius_m cells whose centre is this near to the centre of one that is not free
   /// are not entered; but the robot may leave the disc of that radius in which it stands already
+  /// @param targets when there are any, only ways to them need be right: the search keeps to the
+  /// box of the ellipses in which ways no longer than the limit lie
   FreeDistance(const OccupancyGrid& map, const mrpt::math::TPoint2D& from, double limit_m,
-               double robot_radius_m);
+               double robot_radius_m, const std::vector<mrpt::math::TPoint2D>& targets = {});
 
   /// Length of the shortest path to the centre of the cell of `to`, m; nothing when there is none
   /// within the limit.
@@ -28,13 +30,15 @@ class FreeDistance {
 
  private:
   int index(Cell c) const;
+  void openCells(Cell start);
   void search(int start);
 
   OccupancyGrid map_;
   double resolution_;
   double robot_radius_m_;
   Cell corner_;
-  int side_;
+  int width_;
+  int height_;
   std::vector<std::uint8_t> open_;   // cells that may be entered
   std::vector<std::int32_t> units_;  // path lengths, in 1/kUnits of a cell; -1 unknown
   std::int32_t limit_units_;

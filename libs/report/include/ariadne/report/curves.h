@@ -1,4 +1,4 @@
-// A chart of curves over one axis, with marked moments: coalescence, Neff.
+// A chart of curves over one axis, with marked moments and stretches: coalescence, Neff.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -21,12 +21,20 @@ struct Moment {
   double x = 0;
 };
 
+/// A grey band from x0 to x1, under everything else.
+struct Band {
+  double x0 = 0;
+  double x1 = 0;
+  double grey = 0.9;  ///< 0 black, 1 white
+};
+
 struct CurveChart {
   std::string title;
   std::string x_label;
   std::string y_label;
   std::vector<Curve> curves;
   std::vector<Moment> moments;
+  std::vector<Band> bands = {};
 };
 
 /// PNG, 1000 pixels wide, 560 high with up to three curves and 20 more for each further three. The

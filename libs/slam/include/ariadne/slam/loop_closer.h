@@ -3,6 +3,7 @@
 #pragma once
 #include <mrpt/obs/CObservation2DRangeScan.h>
 
+#include <optional>
 #include <vector>
 
 #include "ariadne/closing/loop_watcher.h"
@@ -32,7 +33,10 @@ class LoopCloser {
   /// G of every particle.
   const std::vector<topology::PlaceGraph>& graphs() const { return graphs_; }
   /// For particles that were replaced from outside; one a particle.
-  void setGraphs(std::vector<topology::PlaceGraph> graphs) { graphs_ = std::move(graphs); }
+  void setGraphs(std::vector<topology::PlaceGraph> graphs) {
+    graphs_ = std::move(graphs);
+    unique_.reset();
+  }
   /// All closings so far, open ones too.
   std::vector<ClosingRecord> records() const;
   /// The open closings, the outermost first; until the next update.
@@ -45,7 +49,12 @@ class LoopCloser {
   closing::ClosingStep figuresOf(const filter::ParticleSet& particles, const StepReport& report);
   void save(std::size_t name, const filter::ParticleSet& particles);
   std::size_t lookBack(std::size_t step) const;
+  std::size_t uniqueAncestors(const filter::ParticleSet& particles, std::size_t step);
 
+  struct UniqueAncestors {
+    std::size_t at = 0;  ///< update
+    std::size_t count = 0;
+  };
   struct PastSet {
     WeightedPoses particles;
     std::size_t distinct = 0;
@@ -64,6 +73,7 @@ class LoopCloser {
   std::vector<PastSet> past_;        // by update
   std::vector<double> travelled_m_;  // by update
   std::vector<Extra> extras_;        // by closing
+  std::optional<UniqueAncestors> unique_;
 };
 
 }  // namespace ariadne::slam
