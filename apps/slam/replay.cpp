@@ -50,7 +50,7 @@ std::vector<std::string> notesOf(const RunResult& r, const report::Replay& repla
         "The true path lies where it fits the final path best (rotation and shift, {} poses), as "
         "for the ATE.",
         r.truth->poses));
-  notes.push_back("Made by ariadne-slam " ARIADNE_VERSION ". Charts: Chart.js, MIT licence.");
+  notes.push_back("Made by Ariadne " ARIADNE_VERSION ". Charts: Chart.js, MIT licence.");
   return notes;
 }
 

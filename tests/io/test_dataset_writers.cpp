@@ -77,6 +77,33 @@ TEST_F(DatasetWriters, MrptReadsOurRawlog) {
   EXPECT_NEAR(motion->poseChange->getMeanVal().norm(), 0.5, 1e-9);
 }
 
+TEST_F(DatasetWriters, SingleObservationsComeBackToTheBit) {
+  std::vector<ariadne::models::SensorStep> steps;
+  for (int i = 0; i < 50; ++i) {
+    ariadne::models::SensorStep step;
+    step.time_s = std::round(i / 3.0 * 1e7) / 1e7;
+    step.odom_from_robot = {0.1 * i / 3, -1.7 / (i + 1), std::remainder(0.37 * i, 2 * M_PI)};
+    step.scan = scan(step.time_s);
+    step.scan->timestamp = mrpt::Clock::fromDouble(step.time_s + 2e-8);  // it cuts off
+    steps.push_back(step);
+  }
+  std::size_t next = 0;
+  io::writeObservationRawlog(folder / "a.rawlog", [&] {
+    return next < steps.size() ? std::optional(steps[next++]) : std::nullopt;
+  });
+  const Result r = read(folder / "a.rawlog");
+  ASSERT_EQ(r.steps.size(), steps.size()) << r.error;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    EXPECT_EQ(r.steps[i].time_s, steps[i].time_s);
+    EXPECT_EQ(r.steps[i].odom_from_robot, steps[i].odom_from_robot) << i;
+    EXPECT_EQ(r.steps[i].scan->timestamp, steps[i].scan->timestamp);
+  }
+  mrpt::obs::CRawlog log;
+  ASSERT_TRUE(log.loadFromRawLogFile((folder / "a.rawlog").string()));
+  EXPECT_EQ(log.size(), 100U);
+  EXPECT_EQ(log.getType(0), mrpt::obs::CRawlog::etObservation);
+}
+
 TEST_F(DatasetWriters, TheSampleSurvivesTheRoundTrip) {
   if (!std::filesystem::exists(kMrptSample)) GTEST_SKIP() << "package mrpt-common is missing";
   io::writeCarmen(folder / "a.log", from(*io::openDataset(kMrptSample)));

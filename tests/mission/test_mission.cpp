@@ -109,6 +109,16 @@ TEST(Mission, SameBitsOnAnyNumberOfThreads) {
   EXPECT_NE(c.steps.back().odom_from_robot, a.steps.back().odom_from_robot);
 }
 
+TEST(Mission, ScansAreStampedWithTheirTimeToTheTick) {
+  const sim::World world = shipped("small.world");
+  MissionParams params = gentle();
+  params.sim.drive.scan_rate_hz = 3;
+  params.explore.max_distance_m = 20;
+  const MissionRecord record = Mission(world, *world.start, params, 1).run();
+  for (const auto& step : record.steps)
+    EXPECT_EQ(mrpt::Clock::toDouble(step.scan->timestamp), step.time_s);
+}
+
 TEST(Mission, ItsStepsMapAgainToTheSameBits) {
   const sim::World world = shipped("small.world");
   MissionParams params = gentle();

@@ -45,7 +45,7 @@ bool Robot::moveUntil(double time_s, const models::VelocityCommand& command) {
 mrpt::obs::CObservation2DRangeScan::Ptr Robot::scan() const {
   auto scan = mrpt::obs::CObservation2DRangeScan::Create();
   scan->sensorLabel = "laser";
-  scan->timestamp = mrpt::Clock::fromDouble(time_s_);
+  scan->timestamp = mrpt::Clock::fromDouble(time_s_ + 2e-8);  // it cuts off after 1e-7
   scan->aperture = static_cast<float>(params_.field_of_view_deg * M_PI / 180);
   scan->rightToLeft = true;
   scan->maxRange = static_cast<float>(params_.max_range_m);
