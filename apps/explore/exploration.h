@@ -14,7 +14,7 @@ struct ExplorationResult {
   mission::MissionRecord mission;
   std::vector<explore::Decision> decisions;
   double slowest_decision_s = 0;
-  double decisions_s = 0;        ///< wall clock of all decisions
+  double decisions_s = 0;        ///< CPU time of all decisions
   slam_app::RunResult mapping;   ///< of the drive, as ariadne-slam has it
   double coverage = 0;           ///< mission::coverage()
   eval::MapScore score;          ///< within kMapTolerance_m, path laid over truth as for the ATE

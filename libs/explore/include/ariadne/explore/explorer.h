@@ -40,9 +40,9 @@ class Explorer {
   const std::vector<Frontier>& frontiers() const { return frontiers_; }
   /// Way that the filter believes to have driven, m.
   double travelled_m() const { return travelled_m_; }
-  /// Longest time that one decision took, s.
+  /// CPU time of the slowest decision, s.
   double slowestDecision_s() const { return slowest_s_; }
-  /// Time of all decisions, s.
+  /// CPU time of all decisions, s.
   double decisions_s() const { return decisions_s_; }
 
  private:
