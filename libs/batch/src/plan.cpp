@@ -11,6 +11,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double kMostRuns = 1e6;
+
 /// A value that names a file, from the experiment's folder, becomes its path.
 std::string fileOr(const std::string& value, const fs::path& folder) {
   std::error_code ignored;
@@ -101,6 +103,11 @@ class Planner {
 
   Plan run() {
     const auto combinations = combinationsOf(x_.factors);
+    const double runs = (static_cast<double>(x_.last_seed - x_.first_seed) + 1) *
+                        static_cast<double>(combinations.size() * x_.arms.size());
+    if (runs > kMostRuns)
+      throw core::UsageError(fmt::format("{}: {:.0f} runs are more than {:.0f}: fewer seeds?",
+                                         x_.file.string(), runs, kMostRuns));
     std::vector<Prepared> prepared;  // combination by combination, arm by arm
     for (const Combination& values : combinations)
       for (std::size_t arm = 0; arm < x_.arms.size(); ++arm)

@@ -1,0 +1,81 @@
+#include "ariadne/batch/figures.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "ariadne/core/error.h"
+#include "ariadne/io/whole_file.h"
+
+namespace ariadne::batch {
+namespace {
+
+using nlohmann::json;
+
+void collect(const json& at, const std::string& name, Figures& figures) {
+  if (at.is_boolean())
+    figures[name] = at.get<bool>() ? 1 : 0;
+  else if (at.is_number() && std::isfinite(at.get<double>()))
+    figures[name] = at.get<double>();
+  else if (at.is_object())
+    for (const auto& [key, value] : at.items())
+      if (key != "parameters") collect(value, name.empty() ? key : name + "." + key, figures);
+}
+
+std::vector<std::string> cellsOf(std::string line) {
+  if (!line.empty() && line.back() == '\r') line.pop_back();
+  std::vector<std::string> cells;
+  std::istringstream stream(line);
+  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+  return cells;
+}
+
+}  // namespace
+
+Figures figuresOfSummary(const std::string& text, const std::string& name) {
+  try {
+    Figures figures;
+    collect(json::parse(text), "", figures);
+    return figures;
+  } catch (const json::exception& e) {
+    throw core::Error(fmt::format("{} is no JSON: {}", name, e.what()));
+  }
+}
+
+Figures figuresOfRow(const std::string& csv, const std::string& name) {
+  std::istringstream lines(csv);
+  std::string header;
+  std::string row;
+  if (!std::getline(lines, header) || !std::getline(lines, row) || row.empty())
+    throw core::Error(fmt::format("{} holds no row", name));
+  const auto names = cellsOf(header);
+  const auto cells = cellsOf(row);
+  Figures figures;
+  for (std::size_t i = 0; i < cells.size() && i < names.size(); ++i) {
+    double value = 0;
+    const char* end = cells[i].data() + cells[i].size();
+    const auto read = std::from_chars(cells[i].data(), end, value);
+    if (read.ec == std::errc() && read.ptr == end && std::isfinite(value))
+      figures[names[i]] = value;
+  }
+  return figures;
+}
+
+Figures figuresOf(ProgramKind kind, const std::filesystem::path& out) {
+  switch (kind) {
+    case ProgramKind::loops:
+      return figuresOfRow(io::readWhole(out / "rows.csv"), "rows.csv");
+    case ProgramKind::stock:
+      io::readWhole(out / "trajectory.tum");  // there, so it went through
+      return {};
+    case ProgramKind::maps:
+    case ProgramKind::other:
+      break;
+  }
+  return figuresOfSummary(io::readWhole(out / "summary.json"), "summary.json");
+}
+
+}  // namespace ariadne::batch
