@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -64,13 +65,24 @@ Figures figuresOfRow(const std::string& csv, const std::string& name) {
   return figures;
 }
 
+Figures figuresOfStock(const std::string& printed, const std::string& name) {
+  double scans = 0;
+  double frames = 0;
+  double cpu_s = 0;
+  double memory_mb = 0;
+  if (std::sscanf(printed.c_str(),
+                  "scans %lf, frames in the map %lf, CPU user+system %lf s, peak memory %lf MB",
+                  &scans, &frames, &cpu_s, &memory_mb) != 4)
+    throw core::Error(fmt::format("{} is not what ariadne-stock-rbpf prints", name));
+  return {{"scans", scans}, {"frames", frames}, {"cpu_s", cpu_s}, {"peak_memory_mb", memory_mb}};
+}
+
 Figures figuresOf(ProgramKind kind, const std::filesystem::path& out) {
   switch (kind) {
     case ProgramKind::loops:
       return figuresOfRow(io::readWhole(out / "rows.csv"), "rows.csv");
     case ProgramKind::stock:
-      io::readWhole(out / "trajectory.tum");  // there, so it went through
-      return {};
+      return figuresOfStock(io::readWhole(out / kPrintedFile), kPrintedFile);
     case ProgramKind::maps:
     case ProgramKind::other:
       break;

@@ -2,7 +2,9 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <signal.h>
+#include <sys/pidfd.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -70,28 +72,42 @@ Process::Process(const std::vector<std::string>& argv, const std::filesystem::pa
   }
   ::setpgid(pid_, pid_);  // also here: kill() may come before the child gets to it
   ::fcntl(pipe_, F_SETFL, O_NONBLOCK);
+  end_ = ::pidfd_open(pid_, 0);
 }
 
 Process::Process(Process&& other) noexcept
     : pid_(std::exchange(other.pid_, -1)),
       pipe_(std::exchange(other.pipe_, -1)),
+      end_(std::exchange(other.end_, -1)),
       start_(other.start_),
       tail_(std::move(other.tail_)) {}
 
 Process::~Process() {
-  if (pid_ > 0) {
-    kill();
-    ::waitpid(pid_, nullptr, 0);
-  }
+  stop();
   if (pipe_ >= 0) ::close(pipe_);
+  if (end_ >= 0) ::close(end_);
 }
 
 void Process::kill() {
   if (pid_ > 0) ::kill(-pid_, SIGKILL);
 }
 
+void Process::stop() {
+  if (pid_ <= 0) return;
+  kill();
+  ::waitpid(std::exchange(pid_, -1), nullptr, 0);
+}
+
 double Process::elapsed_s() const {
   return std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
+void waitForAny(const std::vector<const Process*>& processes, std::chrono::milliseconds longest) {
+  std::vector<pollfd> waited;
+  for (const Process* p : processes)
+    for (const int fd : {p->pipe_, p->end_})
+      if (fd >= 0) waited.push_back({fd, POLLIN, 0});
+  ::poll(waited.data(), waited.size(), static_cast<int>(longest.count()));
 }
 
 void Process::drain() {

@@ -35,17 +35,22 @@ class Process {
   std::optional<ProcessEnd> poll();
   /// SIGKILL to the whole group.
   void kill();
+  /// The same, and waits for the end.
+  void stop();
   double elapsed_s() const;
-  /// To wait on: readable when there is something on stderr; -1 once that is closed.
-  int errorPipe() const { return pipe_; }
 
  private:
+  friend void waitForAny(const std::vector<const Process*>&, std::chrono::milliseconds);
   void drain();
   pid_t pid_ = -1;
   int pipe_ = -1;
+  int end_ = -1;  ///< pidfd: readable once the process has ended
   std::chrono::steady_clock::time_point start_;
   std::string tail_;
 };
+
+/// Returns when one has ended or says something, a signal comes, or after `longest`.
+void waitForAny(const std::vector<const Process*>& processes, std::chrono::milliseconds longest);
 
 /// "killed by signal 11 (Segmentation fault)", "exit code 1".
 std::string describe(const ProcessEnd& end);
