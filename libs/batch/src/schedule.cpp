@@ -52,10 +52,7 @@ class Scheduler {
       else
         pending_.push_back(&run);
     }
-    claims_.buryDead([&](const std::string& owner) {
-      std::error_code ignored;
-      fs::remove_all(store_.scratch(owner), ignored);
-    });
+    claims_.buryDead([&](const std::string& owner) { store_.clearAfter(owner); });
   }
 
   ~Scheduler() {

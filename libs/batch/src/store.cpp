@@ -109,6 +109,21 @@ void Store::forget(const std::string& key) const {
   fs::remove(file(key), ignored);
 }
 
+void Store::clearAfter(const std::string& owner) const {
+  std::error_code ignored;
+  fs::remove_all(scratch(owner), ignored);
+  // io::writeWhole's temporary names: .NAME.PID.part.json
+  const std::size_t start = owner.rfind('-');
+  const std::size_t pid = owner.rfind('-', start - 1) + 1;
+  const std::string tail = "." + owner.substr(pid, start - pid) + ".part.json";
+  for (const auto& entry : fs::directory_iterator(folder_ / "runs", ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (name[0] == '.' && name.size() > tail.size() &&
+        name.compare(name.size() - tail.size(), tail.size(), tail) == 0)
+      fs::remove(entry.path(), ignored);
+  }
+}
+
 void Store::probe() const {
   const fs::path probe = folder_ / fmt::format(".probe-{}", ::getpid());
   io::writeWhole(probe, std::string(65536, 'x'));

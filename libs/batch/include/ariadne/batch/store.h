@@ -32,6 +32,8 @@ class Store {
   /// Whole or not at all; a failure does not replace a success.
   void put(const RunResult& result) const;
   void forget(const std::string& key) const;
+  /// Removes what a dead owner of claims (Claims::owner) left half done.
+  void clearAfter(const std::string& owner) const;
   /// Throws core::Error when nothing can be written (any more).
   void probe() const;
 
