@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <signal.h>
-#include <sys/pidfd.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -72,7 +72,7 @@ Process::Process(const std::vector<std::string>& argv, const std::filesystem::pa
   }
   ::setpgid(pid_, pid_);  // also here: kill() may come before the child gets to it
   ::fcntl(pipe_, F_SETFL, O_NONBLOCK);
-  end_ = ::pidfd_open(pid_, 0);
+  end_ = static_cast<int>(::syscall(SYS_pidfd_open, pid_, 0));  // no wrapper before glibc 2.37
 }
 
 Process::Process(Process&& other) noexcept
