@@ -63,7 +63,8 @@ TEST_F(Claiming, OfProcessesAtOnceOneWins) {
 
 TEST_F(Claiming, TheDeadAreOutdone) {
   Claims claims(folder);
-  claimAs(ariadne::batch::hostName() + "-1-99", "a", 1);  // process 1 was started at another time
+  claimAs(ariadne::batch::machineName() + "-1-99", "a",
+          1);  // process 1 was started at another time
   EXPECT_TRUE(claims.take("a"));
   EXPECT_TRUE(fs::exists(folder / "a.2"));
   claims.giveBack("a", true);
@@ -83,7 +84,7 @@ TEST_F(Claiming, OnOtherMachinesSilenceIsDeath) {
 
 TEST_F(Claiming, TheDeadAreBuriedOnce) {
   Claims claims(folder);
-  const std::string here = ariadne::batch::hostName() + "-1-99";
+  const std::string here = ariadne::batch::machineName() + "-1-99";
   claimAs(here, "a", 1);
   claimAs("elsewhere-77-99", "b", 1);
   std::vector<std::string> buried;

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "ariadne/batch/content_hash.h"
 #include "ariadne/core/error.h"
 #include "ariadne/io/whole_file.h"
 
@@ -56,7 +57,7 @@ double modified_s(const fs::path& file) {
   throw core::Error(fmt::format("cannot write {}: {}", file.string(), std::strerror(errno)));
 }
 
-/// For file systems without hard links. The content may come a moment later.
+/// The content comes a moment later, which matters where hard links cannot be had only.
 bool createAlone(const fs::path& file, const std::string& content) {
   const int fd = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (fd < 0 && errno != EEXIST) fail(file);
@@ -75,13 +76,23 @@ std::string hostName() {
   return name;
 }
 
+std::string machineName() {
+  std::error_code ignored;
+  std::ifstream boot("/proc/sys/kernel/random/boot_id");
+  std::string id;
+  std::getline(boot, id);
+  const std::string processes = fs::read_symlink("/proc/self/ns/pid", ignored).string();
+  return hostName() + "." + hashOf(id + processes).substr(0, 6);
+}
+
 Claims::Claims(fs::path folder, std::chrono::seconds patience)
-    : folder_(std::move(folder)), patience_(patience), host_(hostName()) {
+    : folder_(std::move(folder)), patience_(patience), host_(machineName()) {
   const std::string pid = std::to_string(::getpid());
   owner_ = fmt::format("{}-{}-{}", host_, pid, startOf(pid));
   std::error_code error;
   fs::create_directories(folder_ / "owners", error);
-  io::writeWhole(ownerFile(owner_), owner_);
+  fs::remove(ownerFile(owner_), error);
+  createAlone(ownerFile(owner_), owner_);
   refreshed_ = std::chrono::steady_clock::now();
 }
 
@@ -115,7 +126,6 @@ bool Claims::isAlive(const std::string& owner) const {
 }
 
 bool Claims::isLongDead(const std::string& owner) const {
-  if (owner.empty() || owner[0] == '.') return false;  // being written
   return isHere(owner) ? !isAlive(owner) : silence_s(owner) > 86400;
 }
 

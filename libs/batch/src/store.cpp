@@ -112,16 +112,17 @@ void Store::forget(const std::string& key) const {
 void Store::clearAfter(const std::string& owner) const {
   std::error_code ignored;
   fs::remove_all(scratch(owner), ignored);
-  // io::writeWhole's temporary names: .NAME.PID.part.json
   const std::size_t start = owner.rfind('-');
-  const std::size_t pid = owner.rfind('-', start - 1) + 1;
-  const std::string tail = "." + owner.substr(pid, start - pid) + ".part.json";
-  for (const auto& entry : fs::directory_iterator(folder_ / "runs", ignored)) {
-    const std::string name = entry.path().filename().string();
-    if (name[0] == '.' && name.size() > tail.size() &&
-        name.compare(name.size() - tail.size(), tail.size(), tail) == 0)
-      fs::remove(entry.path(), ignored);
-  }
+  const std::size_t before = owner.rfind('-', start - 1);
+  const std::string pid = owner.substr(before + 1, start - before - 1);
+  for (const fs::path& place : {folder_, folder_ / "configs", folder_ / "runs"})
+    for (const auto& entry : fs::directory_iterator(place, ignored)) {
+      const std::string name = entry.path().filename().string();
+      // io::writeWhole's temporary names and ours
+      if (name[0] == '.' &&
+          (name.find("." + pid + ".part") != std::string::npos || name == ".probe-" + pid))
+        fs::remove(entry.path(), ignored);
+    }
 }
 
 void Store::probe() const {

@@ -20,7 +20,7 @@ class Claims {
   Claims(const Claims&) = delete;
   Claims& operator=(const Claims&) = delete;
 
-  /// "node7-1234-567": host, process and when it was started.
+  /// "node7.3fa2c1-1234-567": machine, process and when it was started.
   const std::string& owner() const { return owner_; }
   /// Whether the run is ours now; false when a live owner has it. Throws core::Error.
   bool take(const std::string& key);
@@ -57,5 +57,9 @@ class Claims {
 };
 
 std::string hostName();
+
+/// The host's name and what tells it from others of that name, and its containers from each other:
+/// process numbers mean something only where this is the same.
+std::string machineName();
 
 }  // namespace ariadne::batch
