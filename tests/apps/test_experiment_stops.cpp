@@ -73,7 +73,7 @@ class ExperimentStops : public StandIn {
 
 TEST_F(ExperimentStops, KilledAtTwentyMomentsItComesToTheSameBytes) {
   writeProgram("sleep 0.03");
-  writeExperiment("[seeds]\nlast = 100\n");
+  writeExperiment("[seeds]\nlast = 80\n");
   ASSERT_EQ(runTo("whole", "4"), 0);
   std::mt19937 random(1);
   std::uniform_int_distribution<int> moment_ms(0, 400);
@@ -95,10 +95,10 @@ TEST_F(ExperimentStops, KilledAtTwentyMomentsItComesToTheSameBytes) {
   EXPECT_GT(counts.size(), 8U) << "no kill came while runs were done";
   ASSERT_EQ(runTo("results", "4"), 0);
   const auto end = stored("results");
-  EXPECT_EQ(end.size(), 200U);
+  EXPECT_EQ(end.size(), 160U);
   for (const auto& [file, text] : before) EXPECT_EQ(end.at(file), text);
   EXPECT_EQ(printed("results"), printed("whole"));
-  EXPECT_NE(printed("whole").find("second  100"), std::string::npos) << printed("whole");
+  EXPECT_NE(printed("whole").find("second  80"), std::string::npos) << printed("whole");
   EXPECT_TRUE(fs::is_empty(results() / "claims" / "owners"));
   EXPECT_FALSE(fs::exists(results() / "scratch"));
   RecordProperty("finished_at_last_kill", static_cast<int>(before.size()));

@@ -31,7 +31,7 @@ struct ScheduleEnd {
   bool stopped = false;    ///< before all had a result
   double wall_s = 0;
   double runs_cpu_s = 0;
-  double own_cpu_s = 0;  ///< what all but the runs took
+  double own_cpu_s = 0;  ///< of this process since its start, without the runs
 };
 
 /// Other processes and machines may work on the same folder at the same time: each run is done
