@@ -56,6 +56,21 @@ TEST_F(ExperimentApp, TheShippedExperimentComesToTheSameBytesInSlices) {
     EXPECT_EQ(table("a", format), table("b", format));
 }
 
+TEST_F(ExperimentApp, APairedRunIsOfBothArms) {
+  const fs::path loops =
+      ariadne::test::shippedDatasets().parent_path() / "ini" / "experiments" / "small.ini";
+  std::string text = "[experiment]\ntitle = Laps\n[figures]\nnames = ate_m\nsuccess = chosen\n";
+  for (const char* arm : {"standard", "recovered"})
+    text += std::string("[arm.") + arm +
+            "]\nprogram = ariadne-loop-experiment\nconfig = " + loops.string() +
+            "\nprefix = " + arm + "_\nset.filter.particles = 4\n";
+  ariadne::io::writeWhole(ini(),
+                          text + "[seeds]\nlast = 1\n[factor.laps]\nkey = --laps\nvalues = 1, 2\n");
+  ASSERT_EQ(runInto("a"), 0) << err;
+  EXPECT_TRUE(says("2 runs in ")) << "a run is of both arms: " << err;
+  EXPECT_NE(table("a", "csv").find("\n2,recovered,1,0,"), std::string::npos) << out;
+}
+
 TEST_F(ExperimentApp, ARunOfOursWithATypoFailsThePlan) {
   writeExperiment(
       "[arm.third]\nprogram = ariadne-slam\nconfig = /dev/null\nset.filter.particels = 3\n");

@@ -56,6 +56,20 @@ TEST_F(Scheduling, KeepsFiguresTimesAndNothingElse) {
   EXPECT_EQ(run().done, 0U) << "all have a result";
 }
 
+TEST_F(Scheduling, ErrorsAgainstATruthAreOfAnyProgramsTrajectory) {
+  const std::string path = "1 0 0 0 0 0 0 1\n2 1 0 0 0 0 0 1\n3 1 1 0 0 0 0 1\n";
+  io::writeWhole(folder / "truth.tum", path);
+  writeProgram("[ $arm = 1 ] && cp \"$here/truth.tum\" \"$out/trajectory.tum\"");
+  writeExperiment("[seeds]\nlast = 1\n");
+  std::string text = io::readWhole(ini());
+  for (std::size_t at = 0; (at = text.find("config = arm.ini", at)) != std::string::npos; at += 20)
+    text.insert(at, "truth = truth.tum\n"), at += 18;
+  io::writeWhole(ini(), text);
+  EXPECT_EQ(run().failed, 1U);
+  EXPECT_NEAR(resultOf(0).figures.at("ate_rmse_m"), 0, 1e-9);
+  EXPECT_NE(resultOf(1).failure.find("trajectory.tum"), std::string::npos);
+}
+
 TEST_F(Scheduling, ACrashAHangAndAKillCostOnlyTheirRuns) {
   writeProgram(R"(case $seed in
   1) echo "about to crash" >&2; kill -SEGV $$;;

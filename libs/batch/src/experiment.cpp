@@ -17,7 +17,7 @@ using io::KnownSection;
 const std::vector<KnownSection>& knownSections() {
   static const std::vector<KnownSection> known = {
       {"experiment", {"title"}},
-      {"arm.NAME", {"program", "config", "dataset", "args", "prefix", "set.SECTION.KEY"}},
+      {"arm.NAME", {"program", "config", "dataset", "truth", "args", "prefix", "set.SECTION.KEY"}},
       {"factor.NAME", {"key", "values"}},
       {"seeds", {"first", "last"}},
       {"figures", {"names", "success"}},
@@ -55,6 +55,8 @@ void setArm(Arm& arm, const IniEntry& e) {
     arm.config = e.value;
   else if (e.key == "dataset")
     arm.dataset = e.value;
+  else if (e.key == "truth")
+    arm.truth = e.value;
   else if (e.key == "args")
     arm.args = splitList(e.value, " \t");
   else if (e.key == "prefix")

@@ -9,6 +9,8 @@
 #include <sstream>
 
 #include "ariadne/core/error.h"
+#include "ariadne/eval/errors.h"
+#include "ariadne/io/tum.h"
 #include "ariadne/io/whole_file.h"
 
 namespace ariadne::batch {
@@ -32,6 +34,16 @@ std::vector<std::string> cellsOf(std::string line) {
   std::istringstream stream(line);
   for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
   return cells;
+}
+
+/// Of poses at most this far apart in time one is interpolated, as ariadne-slam --truth does.
+constexpr double kTruthGap_s = 1;
+
+double ateOf(const std::filesystem::path& trajectory, const std::string& truth) {
+  const auto pairs = eval::associate(io::readTum(trajectory), io::readTum(truth), kTruthGap_s);
+  if (pairs.empty())
+    throw core::Error(fmt::format("no pose of the trajectory has the time of one of {}", truth));
+  return eval::figuresOf(eval::absoluteErrors(pairs, eval::align(pairs))).rmse;
 }
 
 }  // namespace
@@ -74,20 +86,22 @@ Figures figuresOfStock(const std::string& printed, const std::string& name) {
                   "scans %lf, frames in the map %lf, CPU user+system %lf s, peak memory %lf MB",
                   &scans, &frames, &cpu_s, &memory_mb) != 4)
     throw core::Error(fmt::format("{} is not what ariadne-stock-rbpf prints", name));
-  return {{"scans", scans}, {"frames", frames}, {"cpu_s", cpu_s}, {"peak_memory_mb", memory_mb}};
+  return {{"dataset.scans", scans},
+          {"frames", frames},
+          {"costs.cpu_s", cpu_s},
+          {"costs.peak_memory_mb", memory_mb}};
 }
 
-Figures figuresOf(ProgramKind kind, const std::filesystem::path& out) {
-  switch (kind) {
-    case ProgramKind::loops:
-      return figuresOfRow(io::readWhole(out / "rows.csv"), "rows.csv");
-    case ProgramKind::stock:
-      return figuresOfStock(io::readWhole(out / kPrintedFile), kPrintedFile);
-    case ProgramKind::maps:
-    case ProgramKind::other:
-      break;
-  }
-  return figuresOfSummary(io::readWhole(out / "summary.json"), "summary.json");
+Figures figuresOf(const PlannedArm& arm, const std::filesystem::path& out) {
+  Figures figures;
+  if (arm.program.kind == ProgramKind::loops)
+    figures = figuresOfRow(io::readWhole(out / "rows.csv"), "rows.csv");
+  else if (arm.program.kind == ProgramKind::stock)
+    figures = figuresOfStock(io::readWhole(out / kPrintedFile), kPrintedFile);
+  else
+    figures = figuresOfSummary(io::readWhole(out / "summary.json"), "summary.json");
+  if (!arm.truth.empty()) figures["ate_rmse_m"] = ateOf(out / "trajectory.tum", arm.truth);
+  return figures;
 }
 
 }  // namespace ariadne::batch

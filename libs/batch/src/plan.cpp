@@ -4,6 +4,7 @@
 
 #include "ariadne/batch/content_hash.h"
 #include "ariadne/core/error.h"
+#include "ariadne/io/tum.h"
 #include "resolved_config.h"
 
 namespace ariadne::batch {
@@ -57,6 +58,18 @@ ArmCall callOf(const Experiment& x, const Arm& arm, const Combination& values) {
   return call;
 }
 
+std::string truthOf(const Experiment& x, const Arm& arm) {
+  if (arm.truth.empty()) return {};
+  const fs::path path = (x.file.parent_path() / arm.truth).lexically_normal();
+  try {
+    io::readTum(path);
+  } catch (const core::Error& e) {
+    throw core::UsageError(
+        fmt::format("{}: [arm.{}] truth = {}: {}", arm.where, arm.name, arm.truth, e.what()));
+  }
+  return path.string();
+}
+
 void checkCall(const Arm& arm, const Program& program, const ArmCall& call) {
   std::error_code ignored;
   const auto fail = [&](const std::string& what) {
@@ -97,8 +110,9 @@ class Planner {
     plan_.limits = x_.limits;
     for (const Factor& factor : x_.factors) plan_.factors.push_back(factor.name);
     for (const Arm& arm : x_.arms)
-      plan_.arms.push_back(
-          {arm.name, arm.prefix, findProgram(arm.program, x_.file.parent_path(), arm.where)});
+      plan_.arms.push_back({arm.name, arm.prefix,
+                            findProgram(arm.program, x_.file.parent_path(), arm.where),
+                            truthOf(x_, arm)});
   }
 
   Plan run() {
@@ -131,7 +145,8 @@ class Planner {
     p.config = hashOf(config);
     plan_.configs[p.config] = config;
     p.meaning = meaningOfWord(p.program.path.string(), hashes_, plan_.files) + "\n" +
-                meaningOf(config, where, hashes_, plan_.files);
+                meaningOf(config, where, hashes_, plan_.files) +
+                meaningOfWord(plan_.arms[index].truth, hashes_, plan_.files) + "\n";
     return p;
   }
 

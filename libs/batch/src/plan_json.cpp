@@ -15,13 +15,15 @@ Json armJson(const PlannedArm& arm) {
   return {{"name", arm.name},
           {"prefix", arm.prefix},
           {"kind", nameOf(arm.program.kind)},
-          {"program", arm.program.path.string()}};
+          {"program", arm.program.path.string()},
+          {"truth", arm.truth}};
 }
 
 PlannedArm armOf(const Json& json) {
   return {json.at("name"),
           json.at("prefix"),
-          {kindOf(json.at("kind")), json.at("program").get<std::string>()}};
+          {kindOf(json.at("kind")), json.at("program").get<std::string>()},
+          json.at("truth")};
 }
 
 Json runJson(const PlannedRun& run) {

@@ -85,12 +85,19 @@ class Scheduler {
     std::vector<const Process*> processes;
     for (const Worker& w : workers_) processes.push_back(&w.process());
     waitForAny(processes, milliseconds(50));
+    std::list<Worker> ended;
+    std::vector<RunResult> results;
     for (auto w = workers_.begin(); w != workers_.end();) {
-      const auto result = w->poll();
-      if (result && w->wasTold() && stopComes()) return true;
-      if (result) finish(*w, *result, start);
-      w = result ? workers_.erase(w) : std::next(w);
+      const auto at = w++;
+      const auto result = at->poll();
+      if (!result) continue;
+      if (at->wasTold() && stopComes()) return true;
+      results.push_back(*result);
+      ended.splice(ended.end(), workers_, at);
     }
+    fill();  // the next runs go on while these results go to the disk
+    auto result = results.begin();
+    for (const Worker& w : ended) finish(w, *result++, start);
     return true;
   }
 

@@ -82,29 +82,50 @@ void adjust(std::vector<Cell>& cells) {
     if (c.pairs) c.pairs->p_holm = adjusted[next++];
 }
 
-/// A typing error in a figure's name would look like a figure that no run came to.
+/// All figures that finished runs of the arm have, of this name or any.
+struct Found {
+  bool any_run = false;
+  bool has = false;
+  std::vector<std::string> names;  ///< of one run
+};
+
+Found find(const Plan& plan, const Results& results, std::size_t arm, const std::string& name) {
+  Found found;
+  for (const PlannedRun& run : plan.runs) {
+    const auto r = run.arm == arm ? results.find(run.key) : results.end();
+    if (r == results.end() || !isFinished(&r->second)) continue;
+    if (!found.any_run)
+      for (const auto& [known, value] : r->second.figures) found.names.push_back(known);
+    found.any_run = true;
+    if ((found.has = r->second.figures.count(name) > 0)) break;
+  }
+  return found;
+}
+
+core::UsageError noSuchFigure(const std::string& name, const Found& found, const std::string& who) {
+  return core::UsageError(fmt::format("[figures] {}: no run{} has it; the nearest is {} of {}",
+                                      name, who, core::nearestName(name, found.names),
+                                      fmt::join(found.names, ", ")));
+}
+
+/// A typing error in a figure's name would look like a figure that no run came to. What success is
+/// judged by every arm must have; another figure may be of one arm's program only.
 void checkFigures(const Plan& plan, const Results& results) {
-  std::vector<bool> judged(plan.arms.size(), false);
-  std::vector<std::string> wanted = plan.figures;
-  if (!plan.success.figure.empty()) wanted.push_back(plan.success.figure);
-  for (std::size_t arm = 0; arm < plan.arms.size(); ++arm)
-    for (const std::string& figure : wanted) {
-      const std::string name = plan.arms[arm].prefix + figure;
-      const Figures* known = nullptr;
-      bool found = false;
-      for (const PlannedRun& run : plan.runs) {
-        const auto r = run.arm == arm ? results.find(run.key) : results.end();
-        if (r == results.end() || !isFinished(&r->second)) continue;
-        known = &r->second.figures;
-        if ((found = known->count(name) > 0)) break;
-      }
-      if (!known || found) continue;
-      std::vector<std::string> names;
-      for (const auto& [known_name, value] : *known) names.push_back(known_name);
-      throw core::UsageError(fmt::format(
-          "[figures] {}: no run of [arm.{}] has it; did you mean {}? They have {}", name,
-          plan.arms[arm].name, core::nearestName(name, names), fmt::join(names, ", ")));
+  for (const std::string& figure : plan.figures) {
+    Found last;
+    for (std::size_t arm = 0; arm < plan.arms.size() && !last.has; ++arm) {
+      Found found = find(plan, results, arm, plan.arms[arm].prefix + figure);
+      if (found.any_run && (!last.any_run || found.has)) last = std::move(found);
     }
+    if (last.any_run && !last.has) throw noSuchFigure(figure, last, "");
+  }
+  if (plan.success.figure.empty()) return;
+  for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
+    const std::string name = plan.arms[arm].prefix + plan.success.figure;
+    const Found found = find(plan, results, arm, name);
+    if (found.any_run && !found.has)
+      throw noSuchFigure(name, found, fmt::format(" of [arm.{}]", plan.arms[arm].name));
+  }
 }
 
 }  // namespace

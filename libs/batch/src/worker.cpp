@@ -75,7 +75,7 @@ RunResult Worker::judge(const ProcessEnd& end) const {
     result.failure = describe(end);
   } else {
     try {
-      result.figures = figuresOf(plan_.arms[run_.arm].program.kind, out_);
+      result.figures = figuresOf(plan_.arms[run_.arm], out_);
     } catch (const core::Error& e) {
       result.failure = fmt::format("exit code 0, but no result: {}", e.what());
     }

@@ -22,6 +22,7 @@ struct Arm {
   std::string program;
   std::string config;
   std::string dataset;
+  std::string truth;  ///< TUM file of the true path, for the figure ate_rmse_m
   std::vector<std::string> args;
   std::vector<Setting> settings;
   std::string prefix;  ///< before the names of [figures], for a program that tells of several arms

@@ -14,6 +14,7 @@ struct PlannedArm {
   std::string name;
   std::string prefix;  ///< see Arm
   Program program;
+  std::string truth;  ///< path, or empty
 };
 
 struct PlannedRun {
