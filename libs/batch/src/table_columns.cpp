@@ -43,7 +43,9 @@ void addRates(Columns& columns, bool csv) {
                      }});
   columns.push_back({"95 % interval", [](const Cell& c) {
                        const auto i = intervalOf(c);
-                       return fmt::format("{:.0f}-{:.0f} %", 100 * i.low, 100 * i.high);
+                       const int decimals = c.finished < 200 ? 0 : 1;
+                       return fmt::format("{:.{}f}-{:.{}f} %", 100 * i.low, decimals, 100 * i.high,
+                                          decimals);
                      }});
 }
 
