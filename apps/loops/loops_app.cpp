@@ -14,6 +14,7 @@
 #include "ariadne/experiment/oracle.h"
 #include "ariadne/io/ini_fields.h"
 #include "ariadne/io/ini_text.h"
+#include "ariadne/io/ini_writer.h"
 #include "ariadne/io/whole_file.h"
 #include "neff_chart.h"
 #include "neff_log.h"
@@ -47,6 +48,7 @@ struct Arguments {
   std::optional<int> laps;
   std::uint64_t first = 1;
   std::uint64_t last = 10;
+  bool print_config = false;
 };
 
 experiment::LoopConfig configOf(const Arguments& args) {
@@ -133,7 +135,7 @@ int run(std::vector<std::string> args, std::ostream& out, std::ostream& err) {
   Arguments a;
   const auto addDrive = [&](CLI::App* sub, const char* about_out, const char* about_seed) {
     sub->add_option("INI", a.ini, "experiment, as ini/experiments/*.ini")->required();
-    if (about_out) sub->add_option("OUT", a.rows, about_out)->required();
+    if (about_out) sub->add_option("OUT", a.rows, about_out);
     sub->add_option("--laps", a.laps, "of the inner loop, where the drive has some");
     sub->add_option("--first", a.first, about_seed)->capture_default_str();
     sub->add_option("--set", a.settings, "section.key=value, over the INI")
@@ -142,8 +144,10 @@ int run(std::vector<std::string> args, std::ostream& out, std::ostream& err) {
   CLI::App* run = app.add_subcommand("run", "Paired runs, added to a CSV file");
   addDrive(run, "CSV file of the rows", "first seed");
   run->add_option("--last", a.last, "last seed")->capture_default_str();
+  run->add_flag("--print-config", a.print_config, "print the resolved INI and stop");
   CLI::App* neff = app.add_subcommand("neff", "Picture of Neff over one drive");
   addDrive(neff, "PNG to write", "the seed");
+  neff->get_option("OUT")->required();
   CLI::App* oracle = app.add_subcommand(
       "oracle",
       "The first loop with one filter a particle next to the recovery; CSV, small worlds");
@@ -166,7 +170,11 @@ int run(std::vector<std::string> args, std::ostream& out, std::ostream& err) {
     if (e.get_exit_code() == 0) return app.exit(e, out, err);
     throw core::UsageError(std::string(e.what()) + " (see --help)");
   }
-  if (*run)
+  if (*run && a.print_config)
+    out << io::writeIni(configOf(a), "Configuration of ariadne-loop-experiment.");
+  else if (*run && a.rows.empty())
+    throw core::UsageError("OUT is missing: the CSV file of the rows (see --help)");
+  else if (*run)
     runAll(a, err);
   else if (*oracle)
     printOracle(a, out);

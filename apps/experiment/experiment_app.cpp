@@ -1,0 +1,117 @@
+#include "experiment_app.h"
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <filesystem>
+#include <ostream>
+
+#include "ariadne/batch/schedule.h"
+#include "ariadne/batch/tables.h"
+#include "ariadne/core/error.h"
+#include "dry_run.h"
+#include "experiment_options.h"
+#include "experiment_status.h"
+#include "interrupt.h"
+#include "run_program.h"
+#include "run_progress.h"
+
+namespace ariadne {
+namespace {
+
+using namespace experiment_app;
+using batch::Plan;
+using batch::Store;
+
+constexpr const char* kName = "ariadne-experiment";
+
+/// Says on `err` when the table is not that of the whole plan.
+void printTable(const Plan& plan, const Store& store, batch::TableFormat format, std::ostream& out,
+                std::ostream& err) {
+  const auto results = store.results(plan);
+  const Counts counts = countRuns(plan, results);
+  if (counts.finished + counts.failed < counts.planned)
+    fmt::print(err, "{}: {} of {} runs have a result\n", kName, counts.finished + counts.failed,
+               counts.planned);
+  out << batch::render(batch::tableOf(plan, batch::cellsOf(plan, results), format), format);
+}
+
+void forgetFailed(const Plan& plan, const Store& store) {
+  for (const auto& [key, result] : store.results(plan))
+    if (!result.failure.empty()) store.forget(key);
+}
+
+void tellEnd(const Options& o, const batch::ScheduleEnd& end, std::ostream& err) {
+  if (o.quiet || end.done == 0) return;
+  fmt::print(err, "{} runs in {}, {:.1f} s of CPU; the runner itself took {:.2f} s ({:.2f} %)\n",
+             end.done, timeText(end.wall_s), end.runs_cpu_s, end.own_cpu_s,
+             end.runs_cpu_s > 0 ? 100 * end.own_cpu_s / end.runs_cpu_s : 0);
+}
+
+/// Does what is to be done. Returns the exit code.
+int work(const Options& o, const Plan& plan, const Store& store, std::ostream& err) {
+  const slam_app::Interrupt interrupt;
+  RunProgress progress(err, o.quiet);
+  batch::ScheduleOptions options;
+  options.jobs = o.jobs;
+  options.slice = o.slice;
+  options.slices = o.slices;
+  options.stop = [&] { return interrupt.signal() != 0; };
+  options.tell = [&](const batch::ScheduleProgress& p) { progress.tell(p); };
+  const batch::ScheduleEnd end = batch::doRuns(store, plan, options);
+  progress.finish();
+  tellEnd(o, end, err);
+  if (end.stopped) {
+    fmt::print(err, "{}: stopped; finished runs are kept, the same command goes on\n", kName);
+    return 128 + interrupt.signal();
+  }
+  return end.failed == 0 ? 0 : 1;
+}
+
+int runExperiment(const Options& o, std::ostream& out, std::ostream& err) {
+  batch::Experiment experiment = batch::readExperiment(o.ini);
+  if (o.first) experiment.first_seed = *o.first;
+  if (o.last) experiment.last_seed = *o.last;
+  if (experiment.last_seed < experiment.first_seed)
+    throw core::UsageError(fmt::format("last seed {} is before first seed {}", experiment.last_seed,
+                                       experiment.first_seed));
+  const Plan plan = batch::planOf(experiment);
+  const Store store(o.folder.empty() ? "." : o.folder);
+  if (o.dry_run) {
+    printPlan(plan, o.folder.empty() ? nullptr : &store, o.jobs, out);
+    return 0;
+  }
+  store.writePlan(plan);
+  if (o.again_failed) forgetFailed(plan, store);
+  const int code = work(o, plan, store, err);
+  if (code > 1) return code;
+  const auto failed = countRuns(plan, store.results(plan)).failed;
+  if (failed > 0)
+    fmt::print(err,
+               "{}: {} runs failed: see {} status {}; run with --again-failed does them again\n",
+               kName, failed, kName, o.folder);
+  if (!o.quiet) printTable(plan, store, batch::TableFormat::text, out, err);
+  return failed > 0 ? 1 : 0;
+}
+
+int run(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
+  const auto options = parseOptions(args, out);
+  if (!options) return 0;
+  if (options->command == Command::run) return runExperiment(*options, out, err);
+  const Store store(options->folder);
+  const Plan plan = store.readPlan();
+  if (options->command == Command::work) return work(*options, plan, store, err);
+  if (options->command == Command::status)
+    printStatus(plan, store, out);
+  else
+    printTable(plan, store, options->format, out, err);
+  return 0;
+}
+
+}  // namespace
+
+int runExperimentApp(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
+  return slam_app::runProgram(kName, err, [&] { return run(args, out, err); });
+}
+
+}  // namespace ariadne

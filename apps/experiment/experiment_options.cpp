@@ -1,0 +1,112 @@
+#include "experiment_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <map>
+#include <ostream>
+#include <thread>
+
+#include "ariadne/core/error.h"
+
+namespace ariadne::experiment_app {
+namespace {
+
+constexpr const char* kAbout =
+    "Runs an experiment: every arm (a program, an INI, settings) on the same seeds, at every\n"
+    "combination of the factors' values; then tables with intervals and exact tests.";
+
+constexpr const char* kFooter =
+    "A run that has a result in FOLDER already is not done again: stop at any moment, by Ctrl-C "
+    "or\n"
+    "kill -9, and call run again. A run is done again when its INI, data, seed or program "
+    "changed.\n"
+    "How to write an experiment: doc/experiments.md.\n"
+    "Examples:\n"
+    "  ariadne-experiment run ini/paper/small.ini --dry-run\n"
+    "  ariadne-experiment run ini/paper/small.ini --out small --jobs 2\n"
+    "  ariadne-experiment status small\n"
+    "  ariadne-experiment table small --format latex > small.tex\n"
+    "  ariadne-experiment work small --slice 3/10      # a tenth of the plan, on any machine\n"
+    "Exit code: 0 fine, 1 a run failed or a file could not be written, 2 wrong use, 130 stopped "
+    "by\n"
+    "Ctrl-C, 143 by SIGTERM.";
+
+/// "3/10".
+void readSlice(const std::string& text, Options& o) {
+  const auto number = [](const char* begin, const char* end, std::size_t& value) {
+    const auto read = std::from_chars(begin, end, value);
+    return read.ec == std::errc() && read.ptr == end;
+  };
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  const char* const begin = text.data();
+  const char* const end = begin + text.size();
+  if (slash == text.size() || !number(begin, begin + slash, o.slice) ||
+      !number(begin + slash + 1, end, o.slices) || o.slice < 1 || o.slice > o.slices)
+    throw core::UsageError(
+        fmt::format("--slice {}: takes i/n with i from 1 to n, as 3/10 (see --help)", text));
+}
+
+const std::map<std::string, batch::TableFormat>& formats() {
+  static const std::map<std::string, batch::TableFormat> all = {
+      {"text", batch::TableFormat::text},
+      {"csv", batch::TableFormat::csv},
+      {"markdown", batch::TableFormat::markdown},
+      {"latex", batch::TableFormat::latex}};
+  return all;
+}
+
+void addJobs(CLI::App* sub, Options& o) {
+  sub->add_option("--jobs", o.jobs, "runs at a time; default: one a core")
+      ->check(CLI::Range(1, 1024));
+  sub->add_flag("--quiet", o.quiet, "print only warnings and errors");
+}
+
+}  // namespace
+
+std::optional<Options> parseOptions(const std::vector<std::string>& args, std::ostream& out) {
+  Options o;
+  o.jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  std::string slice = "1/1";
+  CLI::App app(kAbout, "ariadne-experiment");
+  app.require_subcommand(1);
+  app.footer(kFooter);
+  app.set_version_flag("--version", ARIADNE_VERSION);
+  CLI::App* run = app.add_subcommand("run", "Do all runs that have no result yet; the table");
+  run->add_option("EXPERIMENT", o.ini, "INI of the experiment")->required();
+  run->add_option("--out", o.folder, "results folder");
+  addJobs(run, o);
+  run->add_option("--first", o.first, "first seed, instead of the INI's");
+  run->add_option("--last", o.last, "last seed, instead of the INI's");
+  run->add_flag("--dry-run", o.dry_run, "show the plan and stop");
+  run->add_flag("--again-failed", o.again_failed, "do runs that failed again");
+  CLI::App* work = app.add_subcommand("work", "Do a slice of the plan in FOLDER, made by run");
+  work->add_option("FOLDER", o.folder, "results folder")->required();
+  work->add_option("--slice", slice, "i/n: the i-th of every n runs")->capture_default_str();
+  addJobs(work, o);
+  CLI::App* table = app.add_subcommand("table", "The table of what is finished");
+  table->add_option("FOLDER", o.folder, "results folder")->required();
+  table->add_option("--format", o.format, "text, csv, markdown or latex")
+      ->transform(CLI::CheckedTransformer(formats()).description(""));
+  CLI::App* status = app.add_subcommand("status", "How far it is, and what failed");
+  status->add_option("FOLDER", o.folder, "results folder")->required();
+  try {
+    app.parse(std::vector<std::string>(args.rbegin(), args.rend()));
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() != 0)
+      throw core::UsageError(std::string(e.what()) + " (see ariadne-experiment --help)");
+    app.exit(e, out, out);
+    return std::nullopt;
+  }
+  readSlice(slice, o);
+  o.command = *run     ? Command::run
+              : *work  ? Command::work
+              : *table ? Command::table
+                       : Command::status;
+  if (o.command == Command::run && o.folder.empty() && !o.dry_run)
+    throw core::UsageError("--out is missing: the results folder, the same to go on (see --help)");
+  return o;
+}
+
+}  // namespace ariadne::experiment_app

@@ -1,0 +1,21 @@
+// What files and texts hold, as 32 hexadecimal digits (MD5: against mix-ups, not against an enemy).
+#pragma once
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace ariadne::batch {
+
+std::string hashOf(const std::string& text);
+
+/// Hashes of files, each read once while this lives.
+class FileHashes {
+ public:
+  /// A YAML of ROS map_server counts with its picture. Throws core::Error when it cannot be read.
+  const std::string& of(const std::filesystem::path& file);
+
+ private:
+  std::map<std::string, std::string> known_;
+};
+
+}  // namespace ariadne::batch

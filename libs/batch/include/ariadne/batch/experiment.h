@@ -1,0 +1,61 @@
+// What an experiment's INI says: arms, factors, seeds, figures, limits (doc/experiments.md).
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "ariadne/batch/success.h"
+#include "ariadne/io/ini_text.h"
+
+namespace ariadne::batch {
+
+/// `section.key=value` of an arm, with its place in the INI.
+struct Setting {
+  std::string key;
+  std::string value;
+};
+
+struct Arm {
+  std::string name;
+  std::string where;  ///< of the section, for errors
+  std::string program;
+  std::string config;
+  std::string dataset;
+  std::string truth;  ///< TUM file of the true path, for the figure ate_rmse_m
+  std::vector<std::string> args;
+  std::vector<Setting> settings;
+  std::string prefix;  ///< before the names of [figures], for a program that tells of several arms
+};
+
+struct Factor {
+  std::string name;
+  std::string where;
+  std::string key;  ///< section.key that is set, or an option: --laps
+  std::vector<std::string> values;
+};
+
+struct Limits {
+  double time_s = 3600;  ///< wall clock of a run
+  int threads = 1;       ///< of a run; the result is the same on any number
+  bool keep_files = false;
+};
+
+struct Experiment {
+  std::filesystem::path file;
+  std::string title;
+  std::vector<Arm> arms;
+  std::vector<Factor> factors;
+  std::uint64_t first_seed = 1;
+  std::uint64_t last_seed = 10;
+  std::vector<std::string> figures;  ///< of which tables give the median
+  Success success;
+  Limits limits;
+};
+
+/// Strict. Throws core::UsageError with file, line, section and key, and what would be right.
+Experiment parseExperiment(std::string_view text, const std::filesystem::path& file);
+/// Throws core::Error when the file cannot be read.
+Experiment readExperiment(const std::filesystem::path& file);
+
+}  // namespace ariadne::batch

@@ -1,0 +1,179 @@
+#include "ariadne/batch/plan.h"
+
+#include <fmt/format.h>
+
+#include "ariadne/batch/content_hash.h"
+#include "ariadne/core/error.h"
+#include "ariadne/io/tum.h"
+#include "resolved_config.h"
+
+namespace ariadne::batch {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kMostRuns = 1e6;
+
+/// A value that names a file, from the experiment's folder, becomes its path.
+std::string fileOr(const std::string& value, const fs::path& folder) {
+  std::error_code ignored;
+  const fs::path path = (folder / value).lexically_normal();
+  return !value.empty() && fs::is_regular_file(path, ignored) ? path.string() : value;
+}
+
+using Combination = std::vector<std::string>;
+
+std::vector<Combination> combinationsOf(const std::vector<Factor>& factors) {
+  std::vector<Combination> all{{}};
+  for (const Factor& factor : factors) {
+    std::vector<Combination> longer;
+    for (const Combination& c : all)
+      for (const std::string& value : factor.values) {
+        longer.push_back(c);
+        longer.back().push_back(value);
+      }
+    all = std::move(longer);
+  }
+  return all;
+}
+
+ArmCall callOf(const Experiment& x, const Arm& arm, const Combination& values) {
+  const fs::path folder = x.file.parent_path();
+  ArmCall call;
+  call.config = (folder / arm.config).lexically_normal();
+  if (!arm.dataset.empty()) call.dataset = (folder / arm.dataset).lexically_normal().string();
+  for (const std::string& a : arm.args) call.args.push_back(fileOr(a, folder));
+  for (const Setting& s : arm.settings)
+    call.settings.push_back(s.key + "=" + fileOr(s.value, folder));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::string value = fileOr(values[i], folder);
+    const std::string& key = x.factors[i].key;
+    if (key[0] == '-') {
+      call.args.push_back(key);
+      call.args.push_back(value);
+    } else {
+      call.settings.push_back(key + "=" + value);
+    }
+  }
+  return call;
+}
+
+std::string truthOf(const Experiment& x, const Arm& arm) {
+  if (arm.truth.empty()) return {};
+  const fs::path path = (x.file.parent_path() / arm.truth).lexically_normal();
+  try {
+    io::readTum(path);
+  } catch (const core::Error& e) {
+    throw core::UsageError(
+        fmt::format("{}: [arm.{}] truth = {}: {}", arm.where, arm.name, arm.truth, e.what()));
+  }
+  return path.string();
+}
+
+void checkCall(const Arm& arm, const Program& program, const ArmCall& call) {
+  std::error_code ignored;
+  const auto fail = [&](const std::string& what) {
+    throw core::UsageError(fmt::format("{}: [arm.{}]: {}", arm.where, arm.name, what));
+  };
+  if (!fs::is_regular_file(call.config, ignored))
+    fail(fmt::format("config = {}: there is no file {}", arm.config, call.config.string()));
+  if (!call.dataset.empty() && !fs::is_regular_file(call.dataset, ignored))
+    fail(
+        fmt::format("dataset = {}: there is no file {}. MRPT's sample log comes with the package "
+                    "mrpt-common; README.md, \"Logs\", says where to get the others",
+                    arm.dataset, call.dataset));
+  if (program.kind == ProgramKind::stock && call.dataset.empty())
+    fail("ariadne-stock-rbpf needs a dataset, a rawlog of actions and frames");
+  if (program.kind == ProgramKind::stock && !call.settings.empty())
+    fail(
+        fmt::format("ariadne-stock-rbpf takes no section.key, here {}: use args or a factor with "
+                    "key = --particles",
+                    call.settings[0]));
+  if (program.kind == ProgramKind::loops && !call.dataset.empty())
+    fail("ariadne-loop-experiment takes no dataset: its INI names world and path");
+}
+
+/// What an arm's runs at one combination have in common.
+struct Prepared {
+  Program program;
+  ArmCall call;
+  std::string config;   ///< hash of the resolved INI
+  std::string meaning;  ///< program and configuration, by content
+};
+
+class Planner {
+ public:
+  explicit Planner(const Experiment& experiment) : x_(experiment) {
+    plan_.title = x_.title;
+    plan_.figures = x_.figures;
+    plan_.success = x_.success;
+    plan_.limits = x_.limits;
+    for (const Factor& factor : x_.factors) plan_.factors.push_back(factor.name);
+    for (const Arm& arm : x_.arms)
+      plan_.arms.push_back({arm.name, arm.prefix,
+                            findProgram(arm.program, x_.file.parent_path(), arm.where),
+                            truthOf(x_, arm)});
+  }
+
+  Plan run() {
+    const auto combinations = combinationsOf(x_.factors);
+    const double runs = (static_cast<double>(x_.last_seed - x_.first_seed) + 1) *
+                        static_cast<double>(combinations.size() * x_.arms.size());
+    if (runs > kMostRuns)
+      throw core::UsageError(fmt::format("{}: {:.0f} runs are more than {:.0f}: fewer seeds?",
+                                         x_.file.string(), runs, kMostRuns));
+    std::vector<Prepared> prepared;  // combination by combination, arm by arm
+    for (const Combination& values : combinations)
+      for (std::size_t arm = 0; arm < x_.arms.size(); ++arm)
+        prepared.push_back(prepare(arm, values));
+    for (std::uint64_t seed = x_.first_seed; seed <= x_.last_seed; ++seed) {
+      auto next = prepared.begin();
+      for (const Combination& values : combinations)
+        for (std::size_t arm = 0; arm < x_.arms.size(); ++arm, ++next)
+          plan_.runs.push_back(runOf(*next, seed, values, arm));
+    }
+    return std::move(plan_);
+  }
+
+ private:
+  Prepared prepare(std::size_t index, const Combination& values) {
+    const Arm& arm = x_.arms[index];
+    Prepared p{plan_.arms[index].program, callOf(x_, arm, values), {}, {}};
+    checkCall(arm, p.program, p.call);
+    const std::string where = fmt::format("{}: [arm.{}]", arm.where, arm.name);
+    const std::string config = resolvedConfig(p.program, p.call, where);
+    p.config = hashOf(config);
+    plan_.configs[p.config] = config;
+    p.meaning = meaningOfWord(p.program.path.string(), hashes_, plan_.files) + "\n" +
+                meaningOf(config, where, hashes_, plan_.files) +
+                meaningOfWord(plan_.arms[index].truth, hashes_, plan_.files) + "\n";
+    return p;
+  }
+
+  PlannedRun runOf(const Prepared& p, std::uint64_t seed, const Combination& values,
+                   std::size_t arm) {
+    PlannedRun run{seed, values, arm, {}, p.config, runArguments(p.program, p.call, seed)};
+    std::string all = p.meaning;
+    for (const std::string& word : run.arguments)
+      all += meaningOfWord(word, hashes_, plan_.files) + "\n";
+    run.key = hashOf(all);
+    return run;
+  }
+
+  const Experiment& x_;
+  Plan plan_;
+  FileHashes hashes_;
+};
+
+}  // namespace
+
+std::string describe(const Plan& plan, const PlannedRun& run) {
+  std::string text = fmt::format("seed {}", run.seed);
+  for (std::size_t i = 0; i < run.values.size(); ++i)
+    text += fmt::format(", {} {}", plan.factors[i], run.values[i]);
+  return text + ", " + plan.arms[run.arm].name;
+}
+
+Plan planOf(const Experiment& experiment) { return Planner(experiment).run(); }
+
+}  // namespace ariadne::batch

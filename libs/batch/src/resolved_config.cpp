@@ -1,0 +1,96 @@
+#include "resolved_config.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <thread>
+
+#include "ariadne/batch/process.h"
+#include "ariadne/core/error.h"
+#include "ariadne/io/ini_text.h"
+#include "ariadne/io/whole_file.h"
+
+namespace ariadne::batch {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kPrintLimit_s = 60;
+
+/// A file that is gone with this.
+struct TemporaryFile {
+  fs::path path = fs::temp_directory_path() / fmt::format("ariadne-config-{}.ini", ::getpid());
+  ~TemporaryFile() {
+    std::error_code ignored;
+    fs::remove(path, ignored);
+  }
+};
+
+std::string trimmedEnd(std::string text) {
+  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
+  return text;
+}
+
+bool isData(const io::IniEntry& e) {
+  return ((e.section == "world" || e.section == "dataset") && e.key == "file") ||
+         (e.section == "experiment" && (e.key == "world" || e.key == "path"));
+}
+
+bool isFile(const std::string& value) {
+  std::error_code ignored;
+  return !value.empty() && value[0] == '/' && fs::is_regular_file(value, ignored);
+}
+
+}  // namespace
+
+std::string resolvedConfig(const Program& program, const ArmCall& call, const std::string& where) {
+  const auto command = configCommand(program, call);
+  if (command.empty()) return io::readIniText(call.config);
+  const TemporaryFile printed;
+  Process process(command, printed.path);
+  std::optional<ProcessEnd> end;
+  while (!(end = process.poll())) {
+    if (process.elapsed_s() > kPrintLimit_s)
+      throw core::Error(fmt::format("{}: {} --print-config did not end in {} s", where,
+                                    program.path.string(), kPrintLimit_s));
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  if (end->signal != 0 || end->exit_code != 0)
+    throw core::UsageError(fmt::format(
+        "{}: {}", where,
+        end->last_words.empty()
+            ? fmt::format("{} --print-config: {}", program.path.string(), describe(*end))
+            : trimmedEnd(end->last_words)));
+  return io::readWhole(printed.path);
+}
+
+std::string meaningOfWord(const std::string& word, FileHashes& hashes,
+                          std::map<std::string, std::string>& files) {
+  if (!isFile(word)) return word;
+  return files[word] = hashes.of(word);
+}
+
+std::string meaningOf(const std::string& config, const std::string& where, FileHashes& hashes,
+                      std::map<std::string, std::string>& files) {
+  io::IniDocument document;
+  try {
+    document = io::parseIni(config, where, io::IniDialect::strict);
+  } catch (const core::UsageError&) {
+    return config;  // of another program: an INI in another dialect, or none
+  }
+  std::string meaning;
+  for (const io::IniEntry& e : document.entries) {
+    if (e.section == "run") continue;
+    if (isData(e) && !e.value.empty() && !isFile(e.value))
+      throw core::UsageError(
+          fmt::format("{}: [{}] {} = {}: there is no such file. Worlds and drives are in datasets/ "
+                      "(ariadne-dataset makes others); MRPT's sample log comes with the package "
+                      "mrpt-common; README.md, \"Logs\", says where to get the others",
+                      where, e.section, e.key, e.value));
+    meaning +=
+        fmt::format("[{}] {} = {}\n", e.section, e.key, meaningOfWord(e.value, hashes, files));
+  }
+  return meaning;
+}
+
+}  // namespace ariadne::batch

@@ -1,0 +1,124 @@
+// The cells of an experiment as a table: which columns there are, and how each is written.
+#include <fmt/format.h>
+
+#include <functional>
+
+#include "ariadne/batch/tables.h"
+#include "ariadne/eval/interval.h"
+
+namespace ariadne::batch {
+namespace {
+
+struct Column {
+  std::string name;
+  std::function<std::string(const Cell&)> text;
+};
+using Columns = std::vector<Column>;
+
+double rateOf(const Cell& c) {
+  return static_cast<double>(c.successes) / static_cast<double>(c.finished);
+}
+
+/// Of no run nothing is known.
+eval::Interval intervalOf(const Cell& c) {
+  return c.finished > 0 ? eval::wilsonInterval(c.successes, c.finished) : eval::Interval{0, 1};
+}
+
+void addRates(Columns& columns, bool csv) {
+  if (csv) {
+    columns.push_back({"successes", [](const Cell& c) { return std::to_string(c.successes); }});
+    columns.push_back({"rate", [](const Cell& c) {
+                         return c.finished > 0 ? fmt::format("{:.6f}", rateOf(c)) : "";
+                       }});
+    columns.push_back(
+        {"rate_low", [](const Cell& c) { return fmt::format("{:.6f}", intervalOf(c).low); }});
+    columns.push_back(
+        {"rate_high", [](const Cell& c) { return fmt::format("{:.6f}", intervalOf(c).high); }});
+    return;
+  }
+  columns.push_back({"success", [](const Cell& c) {
+                       return c.finished == 0 ? "0/0"
+                                              : fmt::format("{}/{} ({:.0f} %)", c.successes,
+                                                            c.finished, 100 * rateOf(c));
+                     }});
+  columns.push_back({"95 % interval", [](const Cell& c) {
+                       const auto i = intervalOf(c);
+                       const int decimals = c.finished < 200 ? 0 : 1;
+                       return fmt::format("{:.{}f}-{:.{}f} %", 100 * i.low, decimals, 100 * i.high,
+                                          decimals);
+                     }});
+}
+
+Column ofPairs(const std::string& name, std::function<std::string(const Pairs&)> text) {
+  return {name, [text = std::move(text)](const Cell& c) { return c.pairs ? text(*c.pairs) : ""; }};
+}
+
+void addPairs(Columns& columns, bool csv) {
+  if (csv) {
+    columns.push_back(
+        ofPairs("only_first", [](const Pairs& p) { return std::to_string(p.only_first); }));
+    columns.push_back(
+        ofPairs("only_this", [](const Pairs& p) { return std::to_string(p.only_this); }));
+  } else {
+    columns.push_back(ofPairs("only first / only this", [](const Pairs& p) {
+      return fmt::format("{} / {}", p.only_first, p.only_this);
+    }));
+  }
+  const char* digits = csv ? "{:.6g}" : "{:.2g}";
+  columns.push_back(
+      ofPairs("p", [digits](const Pairs& p) { return fmt::format(fmt::runtime(digits), p.p); }));
+  columns.push_back(ofPairs(csv ? "p_holm" : "p (Holm)", [digits](const Pairs& p) {
+    return fmt::format(fmt::runtime(digits), p.p_holm);
+  }));
+}
+
+Columns columnsOf(const Plan& plan, bool csv) {
+  Columns columns;
+  for (std::size_t i = 0; i < plan.factors.size(); ++i)
+    columns.push_back({plan.factors[i], [i](const Cell& c) { return c.values[i]; }});
+  columns.push_back({"arm", [&plan](const Cell& c) { return plan.arms[c.arm].name; }});
+  columns.push_back({"runs", [](const Cell& c) { return std::to_string(c.finished); }});
+  columns.push_back({"failed", [](const Cell& c) { return std::to_string(c.failed); }});
+  if (!plan.success.figure.empty()) addRates(columns, csv);
+  for (std::size_t i = 0; i < plan.figures.size(); ++i)
+    columns.push_back(
+        {plan.figures[i], [i, csv](const Cell& c) {
+           const auto& m = c.medians[i];
+           return !m ? "" : csv ? fmt::format("{:.10g}", *m) : fmt::format("{:.4g}", *m);
+         }});
+  if (!plan.success.figure.empty() && plan.arms.size() > 1) addPairs(columns, csv);
+  return columns;
+}
+
+std::vector<std::string> notesOf(const Plan& plan) {
+  std::vector<std::string> notes;
+  if (!plan.success.figure.empty())
+    notes.push_back(
+        fmt::format("Success: {}; Wilson's interval. Failed runs (crashed, killed, over "
+                    "their time) count in no other column.",
+                    plan.success.text()));
+  if (!plan.success.figure.empty() && plan.arms.size() > 1)
+    notes.push_back(fmt::format(
+        "p: McNemar's exact test on the seeds that {} and the arm have both finished; Holm: "
+        "adjusted for all of this table.",
+        plan.arms[0].name));
+  if (!plan.figures.empty()) notes.emplace_back("Figures are medians of the runs that have them.");
+  return notes;
+}
+
+}  // namespace
+
+TextTable tableOf(const Plan& plan, const std::vector<Cell>& cells, TableFormat format) {
+  TextTable table;
+  table.title = plan.title;
+  const Columns columns = columnsOf(plan, format == TableFormat::csv);
+  for (const Column& column : columns) table.header.push_back(column.name);
+  for (const Cell& cell : cells) {
+    table.rows.emplace_back();
+    for (const Column& column : columns) table.rows.back().push_back(column.text(cell));
+  }
+  table.notes = notesOf(plan);
+  return table;
+}
+
+}  // namespace ariadne::batch

@@ -1,0 +1,155 @@
+#include "ariadne/batch/tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "ariadne/core/error.h"
+#include "ariadne/core/names.h"
+#include "ariadne/eval/exact_tests.h"
+#include "ariadne/eval/interval.h"
+
+namespace ariadne::batch {
+namespace {
+
+using Results = std::map<std::string, RunResult>;
+using Values = std::vector<std::string>;
+
+/// The figures' names as the arm's program calls them.
+Success successOf(const Plan& plan, std::size_t arm) {
+  Success success = plan.success;
+  success.figure = plan.arms[arm].prefix + success.figure;
+  return success;
+}
+
+std::optional<double> median(std::vector<double> values) {
+  if (values.empty()) return std::nullopt;
+  std::sort(values.begin(), values.end());
+  const std::size_t m = values.size() / 2;
+  return values.size() % 2 == 1 ? values[m] : (values[m - 1] + values[m]) / 2;
+}
+
+/// Of one cell: seed to result.
+using Runs = std::map<std::uint64_t, const RunResult*>;
+
+bool isFinished(const RunResult* r) { return r->failure.empty(); }
+
+Cell cellOf(const Plan& plan, const Values& values, std::size_t arm, std::size_t planned,
+            const Runs& runs) {
+  Cell cell;
+  cell.values = values;
+  cell.arm = arm;
+  cell.planned = planned;
+  const Success success = successOf(plan, arm);
+  std::vector<std::vector<double>> figures(plan.figures.size());
+  for (const auto& [seed, result] : runs) {
+    if (!isFinished(result)) {
+      ++cell.failed;
+      continue;
+    }
+    ++cell.finished;
+    if (success.of(result->figures)) ++cell.successes;
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+      const auto found = result->figures.find(plan.arms[arm].prefix + plan.figures[i]);
+      if (found != result->figures.end()) figures[i].push_back(found->second);
+    }
+  }
+  for (auto& f : figures) cell.medians.push_back(median(std::move(f)));
+  return cell;
+}
+
+Pairs pairsOf(const Plan& plan, const Runs& first, const Runs& runs, std::size_t arm) {
+  Pairs pairs;
+  for (const auto& [seed, result] : runs) {
+    const auto other = first.find(seed);
+    if (other == first.end() || !isFinished(result) || !isFinished(other->second)) continue;
+    const bool this_one = successOf(plan, arm).of(result->figures);
+    const bool first_one = successOf(plan, 0).of(other->second->figures);
+    pairs.only_first += first_one && !this_one ? 1 : 0;
+    pairs.only_this += this_one && !first_one ? 1 : 0;
+  }
+  pairs.p = eval::mcnemarTest(pairs.only_first, pairs.only_this);
+  return pairs;
+}
+
+void adjust(std::vector<Cell>& cells) {
+  std::vector<double> p;
+  for (const Cell& c : cells)
+    if (c.pairs) p.push_back(c.pairs->p);
+  const auto adjusted = eval::holmAdjusted(p);
+  std::size_t next = 0;
+  for (Cell& c : cells)
+    if (c.pairs) c.pairs->p_holm = adjusted[next++];
+}
+
+/// All figures that finished runs of the arm have, of this name or any.
+struct Found {
+  bool any_run = false;
+  bool has = false;
+  std::vector<std::string> names;  ///< of one run
+};
+
+Found find(const Plan& plan, const Results& results, std::size_t arm, const std::string& name) {
+  Found found;
+  for (const PlannedRun& run : plan.runs) {
+    const auto r = run.arm == arm ? results.find(run.key) : results.end();
+    if (r == results.end() || !isFinished(&r->second)) continue;
+    if (!found.any_run)
+      for (const auto& [known, value] : r->second.figures) found.names.push_back(known);
+    found.any_run = true;
+    if ((found.has = r->second.figures.count(name) > 0)) break;
+  }
+  return found;
+}
+
+core::UsageError noSuchFigure(const std::string& name, const Found& found, const std::string& who) {
+  return core::UsageError(fmt::format("[figures] {}: no run{} has it; the nearest is {} of {}",
+                                      name, who, core::nearestName(name, found.names),
+                                      fmt::join(found.names, ", ")));
+}
+
+/// A typing error in a figure's name would look like a figure that no run came to. What success is
+/// judged by every arm must have; another figure may be of one arm's program only.
+void checkFigures(const Plan& plan, const Results& results) {
+  for (const std::string& figure : plan.figures) {
+    Found last;
+    for (std::size_t arm = 0; arm < plan.arms.size() && !last.has; ++arm) {
+      Found found = find(plan, results, arm, plan.arms[arm].prefix + figure);
+      if (found.any_run && (!last.any_run || found.has)) last = std::move(found);
+    }
+    if (last.any_run && !last.has) throw noSuchFigure(figure, last, "");
+  }
+  if (plan.success.figure.empty()) return;
+  for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
+    const std::string name = plan.arms[arm].prefix + plan.success.figure;
+    const Found found = find(plan, results, arm, name);
+    if (found.any_run && !found.has)
+      throw noSuchFigure(name, found, fmt::format(" of [arm.{}]", plan.arms[arm].name));
+  }
+}
+
+}  // namespace
+
+std::vector<Cell> cellsOf(const Plan& plan, const Results& results) {
+  checkFigures(plan, results);
+  std::vector<Values> combinations;  // in the plan's order
+  std::map<std::pair<Values, std::size_t>, std::pair<std::size_t, Runs>> groups;
+  for (const PlannedRun& run : plan.runs) {
+    if (run.seed == plan.runs.front().seed && run.arm == 0) combinations.push_back(run.values);
+    auto& [planned, runs] = groups[{run.values, run.arm}];
+    ++planned;
+    if (const auto r = results.find(run.key); r != results.end()) runs[run.seed] = &r->second;
+  }
+  std::vector<Cell> cells;
+  for (const Values& values : combinations)
+    for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
+      const auto& [planned, runs] = groups[{values, arm}];
+      cells.push_back(cellOf(plan, values, arm, planned, runs));
+      if (arm > 0 && !plan.success.figure.empty())
+        cells.back().pairs = pairsOf(plan, groups[{values, 0}].second, runs, arm);
+    }
+  adjust(cells);
+  return cells;
+}
+
+}  // namespace ariadne::batch

@@ -1,0 +1,121 @@
+#include <gtest/gtest.h>
+
+#include "ariadne/batch/figures.h"
+#include "ariadne/batch/tables.h"
+#include "ariadne/core/error.h"
+#include "ariadne/eval/exact_tests.h"
+
+using namespace ariadne;
+using namespace ariadne::batch;
+
+namespace {
+
+struct Made {
+  Plan plan;
+  std::map<std::string, RunResult> results;
+};
+
+/// Two arms, ten seeds: the first is right on seeds 1 to 3, the second on 2 to 10; figure x is the
+/// seed, of the second arm ten times that. Its run on seed 10 crashed.
+Made make(const std::string& factor) {
+  Made m;
+  m.plan.title = "T";
+  m.plan.factors = {factor};
+  m.plan.arms = {{"one", "", {}, ""}, {"two_b", "b_", {}, ""}};
+  m.plan.figures = {"x"};
+  m.plan.success = {"right", "!=", 0};
+  for (std::uint64_t seed = 1; seed <= 10; ++seed)
+    for (std::size_t arm = 0; arm < 2; ++arm) {
+      const std::string key = std::to_string(seed) + (arm == 0 ? "a" : "b");
+      m.plan.runs.push_back({seed, {"7"}, arm, key, "", {}});
+      RunResult r;
+      r.key = key;
+      const double s = static_cast<double>(seed);
+      if (arm == 0)
+        r.figures = {{"right", seed <= 3}, {"x", s}};
+      else if (seed == 10)
+        r.failure = "exit code 1";
+      else
+        r.figures = {{"b_right", seed >= 2}, {"b_x", 10 * s}};
+      m.results[key] = r;
+    }
+  return m;
+}
+
+std::string tableText(const Made& m, TableFormat format) {
+  return render(tableOf(m.plan, cellsOf(m.plan, m.results), format), format);
+}
+
+}  // namespace
+
+TEST(BatchTables, CountsMediansAndPairs) {
+  const Made m = make("laps");
+  const auto cells = cellsOf(m.plan, m.results);
+  ASSERT_EQ(cells.size(), 2U);
+  EXPECT_EQ(cells[0].finished, 10U);
+  EXPECT_EQ(cells[0].successes, 3U);
+  EXPECT_DOUBLE_EQ(*cells[0].medians[0], 5.5);
+  EXPECT_FALSE(cells[0].pairs);
+  EXPECT_EQ(cells[1].finished, 9U);
+  EXPECT_EQ(cells[1].failed, 1U);
+  EXPECT_EQ(cells[1].successes, 8U);
+  EXPECT_DOUBLE_EQ(*cells[1].medians[0], 50);
+  // Only the first: seed 1. Only the second: seeds 4 to 9. Seed 10 has no pair.
+  EXPECT_EQ(cells[1].pairs->only_first, 1U);
+  EXPECT_EQ(cells[1].pairs->only_this, 6U);
+  EXPECT_DOUBLE_EQ(cells[1].pairs->p, eval::mcnemarTest(1, 6));
+}
+
+TEST(BatchTables, InFourFormats) {
+  const Made m = make("a_factor|x");
+  EXPECT_EQ(tableText(m, TableFormat::csv),
+            "a_factor|x,arm,runs,failed,successes,rate,rate_low,rate_high,x,only_first,only_this,p,"
+            "p_holm\n"
+            "7,one,10,0,3,0.300000,0.107791,0.603222,5.5,,,,\n"
+            "7,two_b,9,1,8,0.888889,0.565000,0.980109,50,1,6,0.125,0.125\n");
+  const std::string text = tableText(m, TableFormat::text);
+  EXPECT_NE(text.find("7           two_b  9     1       8/9 (89 %)   57-98 %"), std::string::npos)
+      << text;
+  const std::string markdown = tableText(m, TableFormat::markdown);
+  EXPECT_NE(markdown.find("| a_factor\\|x | arm |"), std::string::npos) << markdown;
+  const std::string latex = tableText(m, TableFormat::latex);
+  EXPECT_NE(latex.find("7 & two\\_b & 9 & 1 & 8/9 (89 \\%)"), std::string::npos) << latex;
+}
+
+TEST(BatchTables, WithoutResultsItIsEmptyNotWrong) {
+  Made m = make("laps");
+  m.results.clear();
+  const std::string text = tableText(m, TableFormat::csv);
+  EXPECT_NE(text.find("7,one,0,0,0,,0.000000,1.000000,,,,,\n"), std::string::npos) << text;
+}
+
+TEST(BatchTables, AFigureThatNoRunHasIsNamed) {
+  Made m = make("laps");
+  m.plan.figures = {"xx"};  // the second arm calls its own b_x
+  try {
+    cellsOf(m.plan, m.results);
+    FAIL();
+  } catch (const core::UsageError& e) {
+    EXPECT_NE(std::string(e.what()).find("the nearest is x of right, x"), std::string::npos)
+        << e.what();
+  }
+}
+
+TEST(BatchFigures, OfSummariesRowsAndPrints) {
+  EXPECT_EQ(figuresOfSummary(R"({"a": {"b": 1.5, "c": null}, "d": true, "e": "text", "f": [1],
+                                 "parameters": {"x": 3}})",
+                             "s"),
+            (Figures{{"a.b", 1.5}, {"d", 1}}));
+  EXPECT_THROW(figuresOfSummary("{", "s"), core::Error);
+  EXPECT_EQ(figuresOfRow("name,laps,x,y\nnested,10,,1e-3\n", "r"),
+            (Figures{{"laps", 10}, {"y", 0.001}}));
+  EXPECT_THROW(figuresOfRow("name,laps\n", "r"), core::Error);
+  EXPECT_EQ(figuresOfStock("scans 12, frames in the map 3, CPU user+system 1.50 s, peak memory 70 "
+                           "MB\n",
+                           "p"),
+            (Figures{{"dataset.scans", 12},
+                     {"frames", 3},
+                     {"costs.cpu_s", 1.5},
+                     {"costs.peak_memory_mb", 70}}));
+  EXPECT_THROW(figuresOfStock("", "p"), core::Error);
+}

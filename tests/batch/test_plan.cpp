@@ -1,0 +1,104 @@
+#include <set>
+
+#include "ariadne/batch/plan.h"
+#include "ariadne/core/error.h"
+#include "stand_in.h"
+
+using namespace ariadne;
+namespace fs = std::filesystem;
+
+namespace {
+
+class Planning : public StandIn {
+ protected:
+  batch::Plan plan() { return batch::planOf(batch::readExperiment(ini())); }
+  std::string message() {
+    try {
+      plan();
+    } catch (const core::UsageError& e) {
+      return e.what();
+    }
+    return "no error";
+  }
+  std::vector<std::string> keys() {
+    std::vector<std::string> all;
+    for (const auto& run : plan().runs) all.push_back(run.key);
+    return all;
+  }
+};
+
+}  // namespace
+
+TEST_F(Planning, EverySeedHasAllArmsAtAllCombinations) {
+  writeExperiment("[seeds]\nlast = 3\n[factor.p]\nkey = a.p\nvalues = 5, 6\n");
+  const batch::Plan p = plan();
+  ASSERT_EQ(p.runs.size(), 12U);
+  EXPECT_EQ(batch::describe(p, p.runs[0]), "seed 1, p 5, first");
+  EXPECT_EQ(batch::describe(p, p.runs[1]), "seed 1, p 5, second");
+  EXPECT_EQ(batch::describe(p, p.runs[2]), "seed 1, p 6, first");
+  EXPECT_EQ(batch::describe(p, p.runs[11]), "seed 3, p 6, second");
+  const auto all = keys();
+  EXPECT_EQ(std::set<std::string>(all.begin(), all.end()).size(), 12U);
+  EXPECT_EQ(p.configs.size(), 4U);
+  EXPECT_EQ(keys(), all) << "the same experiment, the same runs";
+}
+
+TEST_F(Planning, ARunIsAnotherWhenWhatMakesItChanged) {
+  writeExperiment("[seeds]\nlast = 2\n");
+  const auto before = keys();
+  writeExperiment("[seeds]\nlast = 2\n[limits]\ntime_s = 9\n", "Other title");
+  EXPECT_EQ(keys(), before) << "these do not make the result";
+  io::writeWhole(folder / "arm.ini", std::string_view("[a]\n# a comment\nb=1\n[run]\nout = x\n"));
+  EXPECT_EQ(keys(), before);
+  io::writeWhole(folder / "arm.ini", std::string_view("[a]\nb = 2\n"));
+  EXPECT_NE(keys()[0], before[0]);
+  io::writeWhole(folder / "arm.ini", std::string_view("[a]\nb = 1\n"));
+  EXPECT_EQ(keys(), before);
+  writeProgram("# another version");
+  EXPECT_NE(keys()[0], before[0]);
+}
+
+TEST_F(Planning, DataCountByWhatTheyHold) {
+  const fs::path data = folder / "x.world";
+  io::writeWhole(data, std::string_view("room"));
+  writeExperiment("[factor.w]\nkey = --set\nvalues = x.world\n");
+  io::writeWhole(folder / "arm.ini", "[world]\nfile = " + data.string() + "\n");
+  const auto before = keys();
+  const fs::path moved = folder / "y.world";
+  fs::copy_file(data, moved);
+  io::writeWhole(folder / "arm.ini", "[world]\nfile = " + moved.string() + "\n");
+  EXPECT_EQ(keys(), before) << "the same under another name";
+  io::writeWhole(moved, std::string_view("another room"));
+  EXPECT_NE(keys()[0], before[0]);
+  fs::remove(moved);
+  EXPECT_NE(message().find("y.world: there is no such file"), std::string::npos) << message();
+  EXPECT_NE(message().find("mrpt-common"), std::string::npos) << message();
+}
+
+TEST_F(Planning, ATypoInAnyArmFailsThePlan) {
+  writeExperiment("[arm.third]\nprogram = ./program.sh\nconfig = arm.ini\nset.a.typo = 1\n");
+  const std::string said = message();
+  EXPECT_NE(said.find("experiment.ini:13: [arm.third]"), std::string::npos) << said;
+  EXPECT_NE(said.find("there is no such key"), std::string::npos) << said;
+}
+
+TEST_F(Planning, ErrorsNameWhatIsMissing) {
+  const std::string arm = "[arm.third]\nconfig = arm.ini\n";
+  writeExperiment(arm + "program = ariadne-slma\n");
+  EXPECT_NE(message().find("ariadne-slam, "), std::string::npos) << message();
+  writeExperiment(arm + "program = ./none.sh\n");
+  EXPECT_NE(message().find("no executable"), std::string::npos) << message();
+  writeExperiment("[arm.third]\nconfig = none.ini\nprogram = ./program.sh\n");
+  EXPECT_NE(message().find("none.ini: there is no file"), std::string::npos) << message();
+  writeExperiment(arm + "program = ./program.sh\ndataset = none.rawlog\n");
+  EXPECT_NE(message().find("none.rawlog: there is no file"), std::string::npos) << message();
+  writeExperiment("[seeds]\nfirst = 0\nlast = 999999999\n");
+  EXPECT_NE(message().find("fewer seeds"), std::string::npos) << message();
+}
+
+TEST_F(Planning, ArmsThatAskTheSameShareARun) {
+  writeExperiment("[arm.third]\nprogram = ./program.sh\nconfig = arm.ini\nprefix = x_\n");
+  const batch::Plan p = plan();
+  EXPECT_EQ(p.runs[0].key, p.runs[2].key);
+  EXPECT_NE(p.runs[0].key, p.runs[1].key);
+}
