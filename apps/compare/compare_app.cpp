@@ -65,6 +65,22 @@ std::string settingsText(const slam_app::SlamConfig& c) {
       c.run.threads == 0 ? "all cores" : fmt::format("{} thread(s)", c.run.threads));
 }
 
+std::vector<Requirement> requirementsOf(const Options& options) {
+  const auto names = valueNames(figureKinds({options.truth, options.relations}));
+  const auto all = valueNames(figureKinds({"any", "any"}));
+  std::vector<Requirement> requirements;
+  for (const std::string& text : options.requirements)
+    requirements.push_back(parseRequirement(text, names, all));
+  return requirements;
+}
+
+void checkJsonFile(const std::string& file) {
+  if (file.empty()) return;
+  const fs::path folder = fs::absolute(file).parent_path();
+  if (std::error_code ignored; !fs::is_directory(folder, ignored))
+    throw core::UsageError(fmt::format("--json {}: there is no folder {}", file, folder.string()));
+}
+
 /// Everything that can be wrong is found here, before the long runs.
 Contest contestOf(const Options& options, const slam_app::SlamConfig& config,
                   const fs::path& stock_base) {
@@ -77,17 +93,16 @@ Contest contestOf(const Options& options, const slam_app::SlamConfig& config,
   contest.repeats = options.repeats;
   contest.folder =
       fs::absolute(options.out.empty() ? slam_app::newFolderFor(config.dataset.file) : options.out);
-  io::prepareOutputFolder(contest.folder, {kPage}, false);
+  contest.overwrite = options.overwrite;
+  io::prepareOutputFolder(contest.folder, {kPage}, options.overwrite);
   return contest;
 }
 
 int compare(const Options& options, std::ostream& out, std::ostream& err) {
   const auto resolved = configOf(options);
   slam_app::warn(err, kName, resolved.warnings);
-  const auto names = valueNames(figureKinds({options.truth, options.relations}));
-  std::vector<Requirement> requirements;
-  for (const std::string& text : options.requirements)
-    requirements.push_back(parseRequirement(text, names));
+  const std::vector<Requirement> requirements = requirementsOf(options);
+  checkJsonFile(options.json);
   const fs::path stock_base = stockBase(options.stock_ini, options.config_file);
   const Contest contest = contestOf(options, resolved.config, stock_base);
 
@@ -98,12 +113,12 @@ int compare(const Options& options, std::ostream& out, std::ostream& err) {
   comparison.figures = runContest(contest, [&](const std::string& line) {
     if (!options.quiet) fmt::print(err, "{}: {}\n", kName, line);
   });
+  out << comparisonText(comparison, requirements) << std::flush;  // first: files may fail
   if (!options.json.empty())
     io::writeWhole(options.json, slam_app::jsonText(comparisonJson(comparison, requirements)));
   io::writeWhole(contest.folder / kPage,
                  comparisonPage(comparison, requirements, oursFolder(contest, 1) / "overview.png",
                                 stockFolder(contest, 1) / "overview.png"));
-  out << comparisonText(comparison, requirements);
   if (!options.quiet) fmt::print(out, "\nBoth maps: {}\n", (contest.folder / kPage).string());
   for (const Requirement& r : requirements)
     if (!r.metBy(valueOf(comparison, r.name))) return 1;

@@ -68,6 +68,8 @@ void declare(CLI::App& app, Options& o) {
   app.add_option("--slam-program", o.slam_program, "default: ariadne-slam beside this program");
   app.add_option("--stock-program", o.stock_program,
                  "default: ariadne-stock-rbpf beside this program");
+  app.add_flag("--overwrite", o.overwrite,
+               "replace the files of an earlier comparison in that folder; others stay");
   app.add_flag("--quiet", o.quiet, "print only the table, warnings and errors");
 }
 

@@ -25,6 +25,7 @@ struct Options {
   std::string json;  ///< empty: none
   std::string slam_program;
   std::string stock_program;
+  bool overwrite = false;
   bool quiet = false;
 };
 

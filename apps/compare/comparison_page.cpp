@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <mrpt/system/string_utils.h>
 
+#include <algorithm>
+
 #include "ariadne/io/whole_file.h"
 #include "comparison_output.h"
 
@@ -45,6 +47,7 @@ std::string picture(const std::filesystem::path& png, const std::string& caption
   const std::string bytes = io::readWhole(png);
   std::string digits;
   mrpt::system::encodeBase64({bytes.begin(), bytes.end()}, digits);
+  digits.erase(std::remove(digits.begin(), digits.end(), '\n'), digits.end());  // as in e-mail
   return fmt::format(
       "<figure><figcaption>{0}</figcaption><img alt=\"{0}\" src=\"data:image/png;base64,{1}\">"
       "</figure>\n",

@@ -17,9 +17,12 @@ std::string seedOf(const Contest& c, int repeat) {
 
 ProcessCosts runOurs(const Contest& c, int repeat) {
   const fs::path folder = oursFolder(c, repeat);
-  return runChild({c.slam_program, (c.folder / "ours.ini").string(), "--seed", seedOf(c, repeat),
-                   "--out", folder.string(), "--quiet"},
-                  folder.string() + ".log");
+  std::vector<std::string> command{c.slam_program, (c.folder / "ours.ini").string(),
+                                   "--seed",       seedOf(c, repeat),
+                                   "--out",        folder.string(),
+                                   "--quiet"};
+  if (c.overwrite) command.emplace_back("--overwrite");
+  return runChild(command, folder.string() + ".log");
 }
 
 ProcessCosts runStock(const Contest& c, int repeat) {

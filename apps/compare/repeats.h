@@ -16,6 +16,7 @@ struct Contest {
   slam_app::SlamConfig ours;  ///< its dataset and seed are both programs'
   std::string stock_ini;      ///< text
   std::filesystem::path folder;
+  bool overwrite = false;  ///< files of earlier runs in that folder
   int repeats = 1;
   References references;
 };

@@ -11,6 +11,13 @@
 #include "ariadne/core/names.h"
 
 namespace ariadne::compare_app {
+namespace {
+
+bool isAmong(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
 
 bool Requirement::metBy(double value) const {
   if (relation == "<") return value < bound;
@@ -19,7 +26,8 @@ bool Requirement::metBy(double value) const {
   return value >= bound;
 }
 
-Requirement parseRequirement(const std::string& text, const std::vector<std::string>& names) {
+Requirement parseRequirement(const std::string& text, const std::vector<std::string>& names,
+                             const std::vector<std::string>& with_references) {
   static const std::regex form(R"(\s*(\w+)\s*(<=|>=|<|>)\s*(\S+)\s*)");
   std::smatch part;
   Requirement r{text, "", "", 0};
@@ -33,14 +41,14 @@ Requirement parseRequirement(const std::string& text, const std::vector<std::str
         core::printable(text)));
   r.name = part[1];
   r.relation = part[2];
-  if (std::find(names.begin(), names.end(), r.name) == names.end())
+  if (isAmong(names, r.name)) return r;
+  if (isAmong(with_references, r.name))
     throw core::UsageError(
-        fmt::format("--require \"{}\": no figure {}; the nearest is {}{}", core::printable(text),
-                    r.name, core::nearestName(r.name, names),
-                    r.name.find("ate") != r.name.npos || r.name.find("rpe") != r.name.npos
-                        ? " (errors need --truth or --relations)"
-                        : ""));
-  return r;
+        fmt::format("--require \"{}\": {} needs {}", core::printable(text), r.name,
+                    r.name.find("relations") == r.name.npos ? "--truth" : "--relations"));
+  throw core::UsageError(fmt::format("--require \"{}\": no figure {}; the nearest is {}",
+                                     core::printable(text), r.name,
+                                     core::nearestName(r.name, names)));
 }
 
 }  // namespace ariadne::compare_app

@@ -17,7 +17,9 @@ struct Requirement {
 };
 
 /// Blanks may stand about the relation. Throws core::UsageError for anything that is no
-/// requirement and for a name that is not among `names`, with the nearest.
-Requirement parseRequirement(const std::string& text, const std::vector<std::string>& names);
+/// requirement and for a name that is not among `names`; it then gives the nearest, or says that
+/// the name is one of `with_references` and wants --truth or --relations.
+Requirement parseRequirement(const std::string& text, const std::vector<std::string>& names,
+                             const std::vector<std::string>& with_references);
 
 }  // namespace ariadne::compare_app
