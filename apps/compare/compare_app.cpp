@@ -62,7 +62,9 @@ std::string settingsText(const slam_app::SlamConfig& c) {
       "seeds from {}; ariadne-slam on {}, stock on one.",
       s.filter.particles, s.grid.resolution_m, s.update.update_distance_m,
       s.update.update_angle_deg, s.grid.insert_range_m, s.filter.seed,
-      c.run.threads == 0 ? "all cores" : fmt::format("{} thread(s)", c.run.threads));
+      c.run.threads == 0   ? "all cores"
+      : c.run.threads == 1 ? "one thread"
+                           : fmt::format("{} threads", c.run.threads));
 }
 
 std::vector<Requirement> requirementsOf(const Options& options) {

@@ -77,6 +77,19 @@ TEST_F(CompareApp, SaysWhichRequirementIsNotMet) {
   EXPECT_EQ(run(again), 0) << err.str();
 }
 
+TEST_F(CompareApp, TakesRelationsAndAnIniOfRbpfSlam) {
+  // The robot never moves a kilometre in two seconds: both are off by about that.
+  io::writeWhole(folder / "r.relations", "10 12 1000 0 0 0 0 0\n");
+  const std::string stock =
+      "/usr/share/mrpt/config_files/rbpf-slam/gridmapping_optimal_sampling.ini";
+  ASSERT_EQ(run({stock, kLog, "--particles", "2", "--repeats", "1", "--out", path("c"),
+                 "--relations", path("r.relations"), "--require", "ours_relations_m>990",
+                 "--require", "stock_relations_m>990", "--quiet"}),
+            0)
+      << err.str() << out.str();
+  EXPECT_EQ(out.str().find("compare.html"), std::string::npos);
+}
+
 TEST_F(CompareApp, TellsWhatAFailedRunSaid) {
   EXPECT_EQ(run({ini, kLog, "--stock-program", "/bin/false", "--out", path("a")}), 1);
   EXPECT_NE(err.str().find("/bin/false failed with exit code 1"), std::string::npos) << err.str();
