@@ -30,13 +30,14 @@ std::string spreadText(const std::vector<double>& values) {
   return fmt::format("{} ({} to {})", numberText(s.median), numberText(s.low), numberText(s.high));
 }
 
-std::string comparisonText(const Comparison& c, const std::vector<Requirement>& requirements) {
+std::string repeatsText(const Comparison& c) {
   const std::size_t repeats = c.figures.front().ours.size();
-  std::string out = fmt::format("{}\n{}\n", c.settings,
-                                repeats == 1 ? "One run of each."
-                                             : fmt::format("Medians of {} runs, in brackets the "
-                                                           "least and the largest.",
-                                                           repeats));
+  if (repeats == 1) return "One run of each.";
+  return fmt::format("Medians of {} runs, in brackets the least and the largest.", repeats);
+}
+
+std::string comparisonText(const Comparison& c, const std::vector<Requirement>& requirements) {
+  std::string out = fmt::format("{}\n{}\n", c.settings, repeatsText(c));
   out += fmt::format("\n{:<22}{:>28}{:>28}{:>12}\n", "", "ariadne-slam", "stock MRPT", "ratio");
   for (const ComparedFigure& f : c.figures)
     out += fmt::format("{:<22}{:>28}{:>28}{:>12}   {}\n", f.kind.name(), spreadText(f.ours),

@@ -15,6 +15,9 @@ std::string numberText(double value);
 /// "median (least to largest)", or the one value.
 std::string spreadText(const std::vector<double>& values);
 
+/// How often both ran and what the table's figures are, as a sentence.
+std::string repeatsText(const Comparison& comparison);
+
 /// The table and a line a requirement.
 std::string comparisonText(const Comparison& comparison,
                            const std::vector<Requirement>& requirements);

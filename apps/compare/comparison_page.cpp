@@ -70,11 +70,9 @@ std::string comparisonPage(const Comparison& c, const std::vector<Requirement>& 
                            const std::filesystem::path& ours, const std::filesystem::path& stock) {
   std::string page = kHead;
   page += fmt::format(
-      "<h1>ariadne-slam and stock MRPT</h1>\n<p>{}</p>\n<p>{} Stock's other settings: {}. {} runs "
-      "of each in turns: the median, in brackets the least and the largest. Costs are those of "
-      "whole processes.</p>\n",
-      escaped(c.dataset), escaped(c.settings), escaped(c.stock_base),
-      c.figures.front().ours.size());
+      "<h1>ariadne-slam and stock MRPT</h1>\n<p>{}</p>\n<p>{} Stock's other settings: {}. {} Costs "
+      "are those of whole processes, taken in turns.</p>\n",
+      escaped(c.dataset), escaped(c.settings), escaped(c.stock_base), repeatsText(c));
   page += table(c);
   for (const Requirement& r : requirements) {
     const double value = valueOf(c, r.name);

@@ -63,7 +63,9 @@ TEST_F(ChildProcess, IsMeasuredByItself) {
   EXPECT_LE(costs.cpu_s, costs.wall_s + 0.1);
   EXPECT_GT(costs.memory_mb, 0.5);
   const auto ours = runChild({"/bin/cat", "/proc/self/status"}, folder / "status");
-  EXPECT_LT(ours.memory_mb, 60) << "a process with our libraries has over 70 MiB";
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  EXPECT_LT(ours.memory_mb, 30) << "2.3 measured; this process, with our libraries, has over 70";
+#endif
 }
 
 TEST_F(ChildProcess, TellsHowItEnded) {
