@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <ostream>
 
 #include "ariadne/core/error.h"
@@ -40,6 +42,10 @@ slam_app::ResolvedConfig configOf(const Options& options) {
   auto resolved = slam_app::resolveConfig(slam);
   resolved.config.run.pictures = true;
   resolved.config.run.out.clear();
+  const auto last_seed =
+      resolved.config.slam.filter.seed + static_cast<std::uint64_t>(options.repeats - 1);
+  if (last_seed > std::numeric_limits<std::int32_t>::max())
+    throw core::UsageError(fmt::format("seeds up to {}: stock takes 0 to 2147483647", last_seed));
   const std::string& dataset = resolved.config.dataset.file;
   if (dataset.empty()) throw core::UsageError("no dataset: name one behind CONFIG");
   if (std::error_code ignored; !fs::exists(dataset, ignored))

@@ -115,6 +115,7 @@ TEST_F(CompareApp, WrongUseIsToldBeforeTheRuns) {
   EXPECT_EQ(with({"--require", "cpu_ratio<x"}), 2);
   EXPECT_EQ(with({"--require", "cpu_ratio=1"}), 2);
   EXPECT_EQ(with({"--repeats", "0"}), 2);
+  EXPECT_EQ(with({"--seed", "2147483646"}), 2);  // three repeats
   EXPECT_EQ(with({"--json", "/nowhere/c.json"}), 2);
   EXPECT_EQ(with({"--truth", path("none.tum")}), 1);
   EXPECT_EQ(with({"--slam-program", path("none")}), 2);
