@@ -6,6 +6,7 @@
 #include "ariadne/core/error.h"
 #include "error_plot.h"
 #include "evaluation.h"
+#include "plan_command.h"
 
 namespace ariadne {
 namespace {
@@ -22,6 +23,8 @@ constexpr const char* kExamples =
     "  ariadne-eval run/trajectory.tum truth.tum --plot errors.png\n"
     "  ariadne-eval run/trajectory.tum --relations intel.relations.gz --max-gap 0.001\n"
     "  ariadne-eval run/trajectory.tum truth.tum --json\n"
+    "  ariadne-eval plan 0.40 0.93 --power 0.9 --paired    runs needed (see ariadne-eval plan "
+    "--help)\n"
     "Exit code: 0 fine, 1 the run failed, 2 wrong use.";
 
 eval_app::Arguments parse(CLI::App& app, const std::vector<std::string>& args) {
@@ -51,6 +54,9 @@ eval_app::Arguments parse(CLI::App& app, const std::vector<std::string>& args) {
 }
 
 int run(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
+  // No CLI subcommand: it would take over the options and required files of the program itself.
+  if (!args.empty() && args.front() == "plan")
+    return eval_app::runPlan({args.begin() + 1, args.end()}, out, err);
   CLI::App app(kAbout, "ariadne-eval");
   eval_app::Arguments a;
   try {

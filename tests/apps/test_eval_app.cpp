@@ -118,3 +118,23 @@ TEST_F(EvalApp, WrongUseAndBadFiles) {
   EXPECT_EQ(run({"--help"}), 0);
   EXPECT_NE(out.str().find("Examples"), std::string::npos);
 }
+
+TEST_F(EvalApp, PlansAnExperiment) {
+  ASSERT_EQ(run({"plan", "0.40", "0.93", "--power", "0.9", "--json"}), 0) << err.str();
+  const auto fisher = nlohmann::json::parse(out.str());
+  EXPECT_EQ(fisher["test"], "Fisher");
+  EXPECT_GE(fisher["power"], 0.9);
+  ASSERT_EQ(run({"plan", "0.40", "0.93", "--power", "0.9", "--paired", "--json"}), 0) << err.str();
+  const auto mcnemar = nlohmann::json::parse(out.str());
+  EXPECT_GE(mcnemar["power"], 0.9);
+  EXPECT_NEAR(mcnemar["discordant_shares"][0], 0.4 * 0.07, 1e-12);
+  ASSERT_EQ(run({"plan", "0.40", "0.93"}), 0) << err.str();
+  EXPECT_NE(out.str().find("runs an arm"), std::string::npos);
+  EXPECT_EQ(run({"plan"}), 2);
+  EXPECT_EQ(run({"plan", "0.4", "1.2"}), 2);
+  EXPECT_EQ(run({"plan", "0.4", "0.4"}), 2);
+  EXPECT_EQ(run({"plan", "0.4", "0.93", "--only-first", "0.05"}), 2);
+  EXPECT_EQ(run({"plan", "0.4", "0.93", "--paired", "--only-first", "0.08"}), 2);
+  EXPECT_NE(err.str().find("between 0 and 0.07"), std::string::npos) << err.str();
+  EXPECT_EQ(run({"plan", "--help"}), 0);
+}

@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "ariadne/core/error.h"
 #include "ariadne/eval/exact_tests.h"
 #include "ariadne/eval/interval.h"
-#include "ariadne/eval/plan.h"
 
 using namespace ariadne;
 
@@ -37,40 +37,53 @@ TEST(McNemar, IsTheBinomialTest) {
 // The lady tasting tea: Agresti, Categorical Data Analysis (2002), 3.5.2: two-sided 0.486.
 TEST(Fisher, IsTheLadysTea) { EXPECT_NEAR(eval::fisherTest(3, 4, 1, 4), 34.0 / 70, 1e-9); }
 
+// Benjamini and Hochberg, J. Royal Statistical Society B 57 (1995), 3.2: 15 p-values, of which
+// Bonferroni at 0.05 and Hochberg, between which Holm lies, both reject the three smallest.
+TEST(Holm, RejectsTheThreeOfBenjaminiAndHochberg) {
+  const auto p = eval::holmAdjusted({0.0001, 0.0004, 0.0019, 0.0095, 0.0201, 0.0278, 0.0298, 0.0344,
+                                     0.0459, 0.3240, 0.4262, 0.5719, 0.6528, 0.7590, 1.0000});
+  for (std::size_t i = 0; i < p.size(); ++i) EXPECT_EQ(p[i] <= 0.05, i < 3) << i;
+  EXPECT_NEAR(p[0], 15 * 0.0001, 1e-12);
+  EXPECT_NEAR(p[3], 12 * 0.0095, 1e-12);
+  EXPECT_EQ(p[14], 1);
+}
+
+// By hand, in any order: 4 x 0.005, 3 x 0.01, 2 x 0.03, and max(0.06, 0.04).
 TEST(Holm, StepsDown) {
   const auto p = eval::holmAdjusted({0.01, 0.04, 0.03, 0.005});
   EXPECT_NEAR(p[3], 0.02, 1e-12);
   EXPECT_NEAR(p[0], 0.03, 1e-12);
   EXPECT_NEAR(p[2], 0.06, 1e-12);
   EXPECT_NEAR(p[1], 0.06, 1e-12);
+  EXPECT_TRUE(eval::holmAdjusted({}).empty());
+  EXPECT_THROW(eval::holmAdjusted({0.5, 1.5}), core::Error);
 }
 
-TEST(MedianInterval, HoldsTheMedianAndIsReproducible) {
-  std::vector<double> values;
-  for (int i = 1; i <= 101; ++i) values.push_back(i);
+// Efron, Annals of Statistics 7 (1979), section 3: the bootstrap median of 2 m - 1 values is above
+// the k-th with the probability of fewer than m successes, Bin(2 m - 1, k / (2 m - 1)). For 13 it
+// is up to the 3rd with 0.016, the 4th with 0.071, the 5th with 0.195: no tail of 0.025, 0.05 or
+// 0.1 lies within 0.025 of one, over ten standard deviations of 9999 resamples.
+TEST(MedianInterval, HasTheEndsOfEfronsExactDistribution) {
+  const std::vector<double> values{7, 2, 13, 4, 5, 11, 1, 8, 9, 10, 6, 12, 3};
+  const struct {
+    double confidence, low, high;
+  } cases[] = {{0.95, 4, 10}, {0.9, 4, 10}, {0.8, 5, 9}};
+  for (const auto& c : cases) {
+    core::RandomStream rng(1, 0, 0, core::Purpose::test);
+    const auto i = eval::medianInterval(values, rng, c.confidence);
+    EXPECT_EQ(i.low, c.low) << c.confidence;
+    EXPECT_EQ(i.high, c.high) << c.confidence;
+  }
+}
+
+TEST(MedianInterval, IsReproducibleAndRefusesNonsense) {
   core::RandomStream a(1, 0, 0, core::Purpose::test);
   core::RandomStream b(1, 0, 0, core::Purpose::test);
-  const auto i = eval::medianInterval(values, a);
-  const auto j = eval::medianInterval(values, b);
+  const auto i = eval::medianInterval({1.5, 2.25, 7, 9, 30}, a, 0.95, 50);
+  const auto j = eval::medianInterval({1.5, 2.25, 7, 9, 30}, b, 0.95, 50);
   EXPECT_EQ(i.low, j.low);
   EXPECT_EQ(i.high, j.high);
-  // Order statistics about 51 +- 1.96 sqrt(101) / 2.
-  EXPECT_NEAR(i.low, 41, 3);
-  EXPECT_NEAR(i.high, 61, 3);
-}
-
-// n = (1.96 sqrt(2 p q) + 0.8416 sqrt(p1 q1 + p2 q2))^2 / (p1 - p2)^2, p the mean rate (Fleiss,
-// Statistical Methods for Rates and Proportions, 1981, (3.14) without its correction).
-TEST(Plan, NeedsWhatTheFormulaSaysAndHasTheExactPower) {
-  const double mean = (0.4 + 0.93) / 2;
-  const double root = 1.959964 * std::sqrt(2 * mean * (1 - mean)) +
-                      0.841621 * std::sqrt(0.4 * 0.6 + 0.93 * 0.07);
-  EXPECT_NEAR(eval::normalSeeds(0.4, 0.93), root * root / (0.53 * 0.53), 0.01);
-  const auto plan = eval::planUnpaired(0.4, 0.93);
-  EXPECT_TRUE(plan.exact);
-  EXPECT_GE(plan.power, 0.8);
-  EXPECT_NEAR(eval::fisherPower(plan.runs, 0.4, plan.runs, 0.93), plan.power, 1e-12);
-  EXPECT_LT(eval::fisherPower(plan.runs - 1, 0.4, plan.runs - 1, 0.93), 0.8);
-  const auto pairs = eval::planPaired(0.5, 0.02);
-  EXPECT_GE(eval::mcnemarPower(pairs.runs, 0.5, 0.02), 0.8);
+  EXPECT_EQ(eval::medianInterval({3}, a).low, 3);
+  EXPECT_THROW(eval::medianInterval({}, a), core::Error);
+  EXPECT_THROW(eval::medianInterval({1, NAN}, a), core::Error);
 }

@@ -1,0 +1,145 @@
+#include "compare_app.h"
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <ostream>
+
+#include "ariadne/core/error.h"
+#include "ariadne/io/output_folder.h"
+#include "ariadne/io/relations.h"
+#include "ariadne/io/tum.h"
+#include "ariadne/io/whole_file.h"
+#include "compare_options.h"
+#include "comparison_output.h"
+#include "comparison_page.h"
+#include "repeats.h"
+#include "run_program.h"
+#include "stock_settings.h"
+#include "summary.h"
+
+namespace ariadne {
+namespace {
+
+using namespace compare_app;
+namespace fs = std::filesystem;
+
+constexpr const char* kName = "ariadne-compare";
+constexpr const char* kPage = "compare.html";
+
+/// As ariadne-slam resolves it.
+slam_app::ResolvedConfig configOf(const Options& options) {
+  slam_app::Options slam;
+  slam.config_file = options.config_file;
+  slam.dataset = options.dataset;
+  slam.settings = options.settings;
+  slam.particles = options.particles;
+  slam.seed = options.seed;
+  slam.threads = std::to_string(options.threads);
+  auto resolved = slam_app::resolveConfig(slam);
+  resolved.config.run.pictures = true;
+  resolved.config.run.out.clear();
+  const auto last_seed =
+      resolved.config.slam.filter.seed + static_cast<std::uint64_t>(options.repeats - 1);
+  if (last_seed > std::numeric_limits<std::int32_t>::max())
+    throw core::UsageError(fmt::format("seeds up to {}: stock takes 0 to 2147483647", last_seed));
+  const std::string& dataset = resolved.config.dataset.file;
+  if (dataset.empty()) throw core::UsageError("no dataset: name one behind CONFIG");
+  if (std::error_code ignored; !fs::exists(dataset, ignored))
+    throw core::Error(
+        fmt::format("there is no log {}; to map another, name it behind CONFIG", dataset));
+  return resolved;
+}
+
+/// Throws now, not after the runs, for files that cannot be read.
+References referencesOf(const Options& options) {
+  if (!options.truth.empty()) io::readTum(options.truth);
+  if (!options.relations.empty()) io::readRelations(options.relations);
+  return {options.truth, options.relations, options.max_gap_s};
+}
+
+std::string settingsText(const slam_app::SlamConfig& c) {
+  const auto& s = c.slam;
+  return fmt::format(
+      "{} particles, cells of {:g} m, an update each {:g} m or {:g} degrees, insertion to {:g} m, "
+      "seeds from {}; ariadne-slam on {}, stock on one.",
+      s.filter.particles, s.grid.resolution_m, s.update.update_distance_m,
+      s.update.update_angle_deg, s.grid.insert_range_m, s.filter.seed,
+      c.run.threads == 0   ? "all cores"
+      : c.run.threads == 1 ? "one thread"
+                           : fmt::format("{} threads", c.run.threads));
+}
+
+std::vector<Requirement> requirementsOf(const Options& options) {
+  const auto names = valueNames(figureKinds({options.truth, options.relations}));
+  const auto all = valueNames(figureKinds({"any", "any"}));
+  std::vector<Requirement> requirements;
+  for (const std::string& text : options.requirements)
+    requirements.push_back(parseRequirement(text, names, all));
+  return requirements;
+}
+
+void checkJsonFile(const std::string& file) {
+  if (file.empty()) return;
+  const fs::path folder = fs::absolute(file).parent_path();
+  if (std::error_code ignored; !fs::is_directory(folder, ignored))
+    throw core::UsageError(fmt::format("--json {}: there is no folder {}", file, folder.string()));
+}
+
+/// Everything that can be wrong is found here, before the long runs.
+Contest contestOf(const Options& options, const slam_app::SlamConfig& config,
+                  const fs::path& stock_base) {
+  Contest contest;
+  contest.slam_program = findProgram(options.slam_program, "ariadne-slam");
+  contest.stock_program = findProgram(options.stock_program, "ariadne-stock-rbpf");
+  contest.ours = config;
+  contest.stock_ini = stockIniText(stock_base, config.slam, options.pf_algorithm);
+  contest.references = referencesOf(options);
+  contest.repeats = options.repeats;
+  contest.folder =
+      fs::absolute(options.out.empty() ? slam_app::newFolderFor(config.dataset.file) : options.out);
+  contest.overwrite = options.overwrite;
+  io::prepareOutputFolder(contest.folder, {kPage}, options.overwrite);
+  return contest;
+}
+
+int compare(const Options& options, std::ostream& out, std::ostream& err) {
+  const auto resolved = configOf(options);
+  slam_app::warn(err, kName, resolved.warnings);
+  const std::vector<Requirement> requirements = requirementsOf(options);
+  checkJsonFile(options.json);
+  const fs::path stock_base = stockBase(options.stock_ini, options.config_file);
+  const Contest contest = contestOf(options, resolved.config, stock_base);
+
+  Comparison comparison;
+  comparison.dataset = resolved.config.dataset.file;
+  comparison.stock_base = stock_base.string();
+  comparison.settings = settingsText(resolved.config);
+  comparison.figures = runContest(contest, [&](const std::string& line) {
+    if (!options.quiet) fmt::print(err, "{}: {}\n", kName, line);
+  });
+  out << comparisonText(comparison, requirements) << std::flush;  // first: files may fail
+  if (!options.json.empty())
+    io::writeWhole(options.json, slam_app::jsonText(comparisonJson(comparison, requirements)));
+  io::writeWhole(contest.folder / kPage,
+                 comparisonPage(comparison, requirements, oursFolder(contest, 1) / "overview.png",
+                                stockFolder(contest, 1) / "overview.png"));
+  if (!options.quiet) fmt::print(out, "\nBoth maps: {}\n", (contest.folder / kPage).string());
+  for (const Requirement& r : requirements)
+    if (!r.metBy(valueOf(comparison, r.name))) return 1;
+  return 0;
+}
+
+}  // namespace
+
+int runCompareApp(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
+  return slam_app::runProgram(kName, err, [&] {
+    const auto options = parseOptions(args, out);
+    return options ? compare(*options, out, err) : 0;
+  });
+}
+
+}  // namespace ariadne
