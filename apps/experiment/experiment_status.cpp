@@ -24,7 +24,8 @@ void printOwners(const batch::Store& store, std::ostream& out) {
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(store.claims() / "owners", ignored)) {
     const auto age = fs::file_time_type::clock::now() - entry.last_write_time(ignored);
-    fmt::print(out, "At work: {}, sign of life {} s ago\n", entry.path().filename().string(),
+    fmt::print(out, "Works on it: {}, last sign of life {} s ago\n",
+               entry.path().filename().string(),
                std::chrono::duration_cast<std::chrono::seconds>(age).count());
   }
 }

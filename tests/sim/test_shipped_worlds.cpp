@@ -59,7 +59,7 @@ TEST(ShippedWorlds, ARobotCanStandAtEveryStart) {
     ASSERT_TRUE(world.start);
     EXPECT_NO_THROW(Robot(world, *world.start, {}));
   }
-  EXPECT_EQ(count, 8);
+  EXPECT_EQ(count, 9);
 }
 
 TEST(ShippedWorlds, ALapOfTheInnerRingIsItsLength) {

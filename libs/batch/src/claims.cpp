@@ -7,44 +7,15 @@
 
 #include <cerrno>
 #include <cstring>
-#include <fstream>
-#include <sstream>
 
-#include "ariadne/batch/content_hash.h"
 #include "ariadne/core/error.h"
 #include "ariadne/io/whole_file.h"
+#include "owner.h"
 
 namespace ariadne::batch {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// When a process of this machine was started, in ticks since boot (proc(5), field 22); empty when
-/// there is none. Tells it from a later one with the same number.
-std::string startOf(const std::string& pid) {
-  std::ifstream file("/proc/" + pid + "/stat");
-  std::string text((std::istreambuf_iterator<char>(file)), {});
-  const std::size_t name_end = text.rfind(')');
-  if (name_end == std::string::npos) return {};
-  std::istringstream fields(text.substr(name_end + 1));
-  std::string field;
-  for (int i = 3; i <= 22; ++i) fields >> field;
-  return field;
-}
-
-/// Host, process, start.
-struct OwnerParts {
-  std::string host, pid, start;
-};
-
-OwnerParts partsOf(const std::string& owner) {
-  const std::size_t second = owner.rfind('-');
-  const std::size_t first =
-      second == 0 || second == std::string::npos ? std::string::npos : owner.rfind('-', second - 1);
-  if (first == std::string::npos) return {};
-  return {owner.substr(0, first), owner.substr(first + 1, second - first - 1),
-          owner.substr(second + 1)};
-}
 
 double modified_s(const fs::path& file) {
   struct stat status {};
@@ -69,21 +40,6 @@ bool createAlone(const fs::path& file, const std::string& content) {
 }
 
 }  // namespace
-
-std::string hostName() {
-  char name[256] = "";
-  ::gethostname(name, sizeof(name) - 1);
-  return name;
-}
-
-std::string machineName() {
-  std::error_code ignored;
-  std::ifstream boot("/proc/sys/kernel/random/boot_id");
-  std::string id;
-  std::getline(boot, id);
-  const std::string processes = fs::read_symlink("/proc/self/ns/pid", ignored).string();
-  return hostName() + "." + hashOf(id + processes).substr(0, 6);
-}
 
 Claims::Claims(fs::path folder, std::chrono::seconds patience)
     : folder_(std::move(folder)), patience_(patience), host_(machineName()) {

@@ -5,6 +5,7 @@
 
 #include "ariadne/core/error.h"
 #include "ariadne/io/whole_file.h"
+#include "owner.h"
 #include "plan_json.h"
 
 namespace ariadne::batch {
@@ -112,9 +113,7 @@ void Store::forget(const std::string& key) const {
 void Store::clearAfter(const std::string& owner) const {
   std::error_code ignored;
   fs::remove_all(scratch(owner), ignored);
-  const std::size_t start = owner.rfind('-');
-  const std::size_t before = owner.rfind('-', start - 1);
-  const std::string pid = owner.substr(before + 1, start - before - 1);
+  const std::string pid = partsOf(owner).pid;
   for (const fs::path& place : {folder_, folder_ / "configs", folder_ / "runs"})
     for (const auto& entry : fs::directory_iterator(place, ignored)) {
       const std::string name = entry.path().filename().string();
