@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "ariadne/io/html.h"
 #include "ariadne/io/whole_file.h"
 #include "comparison_output.h"
 
@@ -26,23 +27,6 @@ figure { flex: 1 1 30rem; margin: 0 } img { max-width: 100% }
 </style></head><body>
 )";
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
-
 std::string picture(const std::filesystem::path& png, const std::string& caption) {
   const std::string bytes = io::readWhole(png);
   std::string digits;
@@ -60,7 +44,7 @@ std::string table(const Comparison& c) {
   for (const ComparedFigure& f : c.figures)
     out += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
                        f.kind.name(), spreadText(f.ours), spreadText(f.stock),
-                       numberText(f.ratio()), escaped(f.kind.about));
+                       numberText(f.ratio()), io::escapedHtml(f.kind.about));
   return out + "</table>\n";
 }
 
@@ -72,12 +56,14 @@ std::string comparisonPage(const Comparison& c, const std::vector<Requirement>& 
   page += fmt::format(
       "<h1>ariadne-slam and stock MRPT</h1>\n<p>{}</p>\n<p>{} Stock's other settings: {}. {} Costs "
       "are those of whole processes, taken in turns.</p>\n",
-      escaped(c.dataset), escaped(c.settings), escaped(c.stock_base), repeatsText(c));
+      io::escapedHtml(c.dataset), io::escapedHtml(c.settings), io::escapedHtml(c.stock_base),
+      repeatsText(c));
   page += table(c);
   for (const Requirement& r : requirements) {
     const double value = valueOf(c, r.name);
-    page += fmt::format("<p{}>{}: {} (it is {})</p>\n", r.metBy(value) ? "" : " class=\"unmet\"",
-                        r.metBy(value) ? "met" : "not met", escaped(r.text), numberText(value));
+    page +=
+        fmt::format("<p{}>{}: {} (it is {})</p>\n", r.metBy(value) ? "" : " class=\"unmet\"",
+                    r.metBy(value) ? "met" : "not met", io::escapedHtml(r.text), numberText(value));
   }
   page += "<div class=\"maps\">\n" + picture(ours, "ariadne-slam, first run") +
           picture(stock, "stock MRPT, first run") + "</div>\n</body></html>\n";

@@ -6,13 +6,14 @@
 #include <filesystem>
 #include <ostream>
 
+#include "ariadne/batch/run_counts.h"
 #include "ariadne/batch/schedule.h"
-#include "ariadne/batch/tables.h"
 #include "ariadne/core/error.h"
 #include "dry_run.h"
 #include "experiment_options.h"
 #include "experiment_status.h"
 #include "interrupt.h"
+#include "results_output.h"
 #include "run_program.h"
 #include "run_progress.h"
 
@@ -25,15 +26,26 @@ using batch::Store;
 
 constexpr const char* kName = "ariadne-experiment";
 
-/// Says on `err` when the table is not that of the whole plan.
-void printTable(const Plan& plan, const Store& store, batch::TableFormat format, std::ostream& out,
-                std::ostream& err) {
-  const auto results = store.results(plan);
-  const Counts counts = countRuns(plan, results);
-  if (counts.finished + counts.failed < counts.planned)
+/// Says on `err` when the results are not those of the whole plan.
+void tellMissing(const Plan& plan, const ResultsOutput& results, std::ostream& err) {
+  const batch::Counts counts = batch::countRuns(plan, results.results());
+  if (counts.missing() > 0)
     fmt::print(err, "{}: {} of {} runs have a result\n", kName, counts.finished + counts.failed,
                counts.planned);
-  out << batch::render(batch::tableOf(plan, batch::cellsOf(plan, results), format), format);
+}
+
+/// Table, plots and page of what is finished.
+void showResults(const Options& o, const Plan& plan, const Store& store, std::ostream& out,
+                 std::ostream& err) {
+  const ResultsOutput results(plan, store);
+  if (!o.quiet) tellMissing(plan, results, err);
+  const bool is_table = o.command == Command::table || o.command == Command::run;
+  if (is_table && !o.quiet) results.printTable(o.format, out);
+  if (o.command == Command::plot) results.writePlots();
+  if (o.command == Command::report || o.command == Command::run) results.writeReport(err);
+  if (o.command != Command::table && !o.quiet)
+    fmt::print(err, "{}\n",
+               (store.folder() / (o.command == Command::plot ? "plots" : "report.html")).string());
 }
 
 void forgetFailed(const Plan& plan, const Store& store) {
@@ -85,12 +97,12 @@ int runExperiment(const Options& o, std::ostream& out, std::ostream& err) {
   if (o.again_failed) forgetFailed(plan, store);
   const int code = work(o, plan, store, err);
   if (code > 1) return code;
-  const auto failed = countRuns(plan, store.results(plan)).failed;
+  const auto failed = batch::countRuns(plan, store.results(plan)).failed;
   if (failed > 0)
     fmt::print(err,
                "{}: {} runs failed: see {} status {}; run with --again-failed does them again\n",
                kName, failed, kName, o.folder);
-  if (!o.quiet) printTable(plan, store, batch::TableFormat::text, out, err);
+  showResults(o, plan, store, out, err);
   return failed > 0 ? 1 : 0;
 }
 
@@ -104,7 +116,7 @@ int run(const std::vector<std::string>& args, std::ostream& out, std::ostream& e
   if (options->command == Command::status)
     printStatus(plan, store, out);
   else
-    printTable(plan, store, options->format, out, err);
+    showResults(*options, plan, store, out, err);
   return 0;
 }
 

@@ -15,7 +15,8 @@ namespace {
 
 constexpr const char* kAbout =
     "Runs an experiment: every arm (a program, an INI, settings) on the same seeds, at every\n"
-    "combination of the factors' values; then tables with intervals and exact tests.";
+    "combination of the factors' values; then tables with intervals and exact tests, plots and a\n"
+    "page with all of it.";
 
 constexpr const char* kFooter =
     "A run that has a result in FOLDER already is not done again: stop at any moment, by Ctrl-C "
@@ -28,6 +29,7 @@ constexpr const char* kFooter =
     "  ariadne-experiment run ini/paper/small.ini --out small --jobs 2\n"
     "  ariadne-experiment status small\n"
     "  ariadne-experiment table small --format latex > small.tex\n"
+    "  ariadne-experiment report small                 # plots and report.html, also on the way\n"
     "  ariadne-experiment work small --slice 3/10      # a tenth of the plan, on any machine\n"
     "Exit code: 0 fine, 1 a run failed or a file could not be written, 2 wrong use, 130 stopped "
     "by\n"
@@ -73,7 +75,8 @@ std::optional<Options> parseOptions(const std::vector<std::string>& args, std::o
   app.require_subcommand(1);
   app.footer(kFooter);
   app.set_version_flag("--version", ARIADNE_VERSION);
-  CLI::App* run = app.add_subcommand("run", "Do all runs that have no result yet; the table");
+  CLI::App* run =
+      app.add_subcommand("run", "Do all runs that have no result yet; table, plots and page");
   run->add_option("EXPERIMENT", o.ini, "INI of the experiment")->required();
   run->add_option("--out", o.folder, "results folder");
   addJobs(run, o);
@@ -89,6 +92,12 @@ std::optional<Options> parseOptions(const std::vector<std::string>& args, std::o
   table->add_option("FOLDER", o.folder, "results folder")->required();
   table->add_option("--format", o.format, "text, csv, markdown or latex")
       ->transform(CLI::CheckedTransformer(formats()).description(""));
+  CLI::App* plot =
+      app.add_subcommand("plot", "Plots of what is finished: FOLDER/plots, SVG and PNG");
+  plot->add_option("FOLDER", o.folder, "results folder")->required();
+  CLI::App* report =
+      app.add_subcommand("report", "The same and FOLDER/report.html, a page with all");
+  report->add_option("FOLDER", o.folder, "results folder")->required();
   CLI::App* status = app.add_subcommand("status", "How far it is, and what failed");
   status->add_option("FOLDER", o.folder, "results folder")->required();
   try {
@@ -100,10 +109,12 @@ std::optional<Options> parseOptions(const std::vector<std::string>& args, std::o
     return std::nullopt;
   }
   readSlice(slice, o);
-  o.command = *run     ? Command::run
-              : *work  ? Command::work
-              : *table ? Command::table
-                       : Command::status;
+  o.command = *run      ? Command::run
+              : *work   ? Command::work
+              : *table  ? Command::table
+              : *plot   ? Command::plot
+              : *report ? Command::report
+                        : Command::status;
   if (o.command == Command::run && o.folder.empty() && !o.dry_run)
     throw core::UsageError("--out is missing: the results folder, the same to go on (see --help)");
   return o;

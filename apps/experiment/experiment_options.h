@@ -10,7 +10,7 @@
 
 namespace ariadne::experiment_app {
 
-enum class Command { run, work, table, status };
+enum class Command { run, work, table, plot, report, status };
 
 struct Options {
   Command command = Command::run;

@@ -7,6 +7,7 @@
 #include <ostream>
 #include <set>
 
+#include "ariadne/batch/run_counts.h"
 #include "run_progress.h"
 
 namespace ariadne::experiment_app {
@@ -32,19 +33,9 @@ void printOwners(const batch::Store& store, std::ostream& out) {
 
 }  // namespace
 
-Counts countRuns(const batch::Plan& plan, const std::map<std::string, batch::RunResult>& results) {
-  std::set<std::string> keys;
-  for (const auto& run : plan.runs) keys.insert(run.key);
-  Counts counts;
-  counts.planned = keys.size();
-  for (const auto& [key, result] : results)
-    ++(result.failure.empty() ? counts.finished : counts.failed);
-  return counts;
-}
-
 void printStatus(const batch::Plan& plan, const batch::Store& store, std::ostream& out) {
   const auto results = store.results(plan);
-  const Counts counts = countRuns(plan, results);
+  const batch::Counts counts = batch::countRuns(plan, results);
   fmt::print(out, "{}: {} runs, {} finished, {} failed, {} to do\n", plan.title, counts.planned,
              counts.finished, counts.failed, counts.planned - counts.finished - counts.failed);
   double wall_s = 0;

@@ -21,6 +21,7 @@ const std::vector<KnownSection>& knownSections() {
       {"factor.NAME", {"key", "values"}},
       {"seeds", {"first", "last"}},
       {"figures", {"names", "success"}},
+      {"plots", {"figures", "over"}},
       {"limits", {"time_s", "threads", "keep_files"}}};
   return known;
 }
@@ -94,6 +95,10 @@ void setOther(Experiment& x, const IniEntry& e) {
     x.figures = splitList(e.value, ",");
   else if (e.section == "figures" && e.key == "success")
     x.success = parseSuccess(e);
+  else if (e.section == "plots" && e.key == "figures")
+    x.plots.figures = splitList(e.value, ",");
+  else if (e.section == "plots" && e.key == "over")
+    x.plots.over = e.value;
   else if (e.section == "limits" && e.key == "time_s")
     x.limits.time_s = io::realOf(e, {0.001, 1e7});
   else if (e.section == "limits" && e.key == "threads")
@@ -110,7 +115,7 @@ void addSection(Experiment& x, const io::IniSection& section) {
   else if (startsWith(section.name, "factor."))
     x.factors.push_back(named<Factor>(section, "factor."));
   else if (section.name != "experiment" && section.name != "seeds" && section.name != "figures" &&
-           section.name != "limits")
+           section.name != "plots" && section.name != "limits")
     throw io::unknownSection(section.name, section.where, knownSections());
 }
 
@@ -144,6 +149,9 @@ void checkComplete(const Experiment& x) {
           fmt::format("[seeds] last = {} is before first = {}", x.last_seed, x.first_seed));
   require(!x.figures.empty() || !x.success.figure.empty(), file,
           "[figures] is missing: names = figures for the tables, success = what counts as one");
+  std::vector<std::string> factors;
+  for (const Factor& factor : x.factors) factors.push_back(factor.name);
+  checkPlots(x.plots, x.figures, factors, file);
 }
 
 }  // namespace
@@ -151,6 +159,7 @@ void checkComplete(const Experiment& x) {
 Experiment parseExperiment(std::string_view text, const std::filesystem::path& file) {
   Experiment x;
   x.file = std::filesystem::absolute(file).lexically_normal();
+  x.text = text;
   const auto document = io::parseIni(text, file.string(), io::IniDialect::strict);
   for (const io::IniSection& section : document.sections) addSection(x, section);
   for (const IniEntry& entry : document.entries) {

@@ -38,8 +38,10 @@ class Planner {
  public:
   explicit Planner(const Experiment& experiment) : x_(experiment) {
     plan_.title = x_.title;
+    plan_.ini = x_.text;
     plan_.figures = x_.figures;
     plan_.success = x_.success;
+    plan_.plots = x_.plots;
     plan_.limits = x_.limits;
     for (const Factor& factor : x_.factors) plan_.factors.push_back(factor.name);
     for (const Arm& arm : x_.arms)

@@ -44,6 +44,7 @@ PlannedRun runOf(const Json& json, const Plan& plan) {
 std::string planText(const Plan& plan) {
   Json json = {{"format", "ariadne-experiment plan 1"},
                {"title", plan.title},
+               {"ini", plan.ini},
                {"factors", plan.factors},
                {"arms", Json::array()},
                {"figures", plan.figures},
@@ -51,6 +52,7 @@ std::string planText(const Plan& plan) {
                 {{"figure", plan.success.figure},
                  {"relation", plan.success.relation},
                  {"bound", plan.success.bound}}},
+               {"plots", {{"figures", plan.plots.figures}, {"over", plan.plots.over}}},
                {"limits",
                 {{"time_s", plan.limits.time_s},
                  {"threads", plan.limits.threads},
@@ -72,11 +74,14 @@ Plan parsePlan(const std::string& text, const std::string& name) {
     const Json json = Json::parse(text);
     Plan plan;
     plan.title = json.at("title");
+    plan.ini = json.value("ini", "");
     plan.factors = json.at("factors").get<std::vector<std::string>>();
     for (const Json& arm : json.at("arms")) plan.arms.push_back(armOf(arm));
     plan.figures = json.at("figures").get<std::vector<std::string>>();
     const Json& success = json.at("success");
     plan.success = {success.at("figure"), success.at("relation"), success.at("bound")};
+    if (json.contains("plots"))  // not in plans of the first version
+      plan.plots = {json["plots"].at("figures"), json["plots"].at("over")};
     const Json& limits = json.at("limits");
     plan.limits = {limits.at("time_s"), limits.at("threads"), limits.at("keep_files")};
     plan.files = json.at("files").get<std::map<std::string, std::string>>();

@@ -149,6 +149,15 @@ std::optional<ProcessEnd> Process::poll() {
   return end;
 }
 
+ProcessEnd endOf(Process& process, double limit_s, const std::string& what) {
+  for (;;) {
+    if (auto end = process.poll()) return *end;
+    if (process.elapsed_s() > limit_s)
+      throw core::Error(fmt::format("{} did not end in {} s", what, limit_s));
+    waitForAny({&process}, std::chrono::milliseconds(100));
+  }
+}
+
 std::string describe(const ProcessEnd& end) {
   if (end.signal != 0)
     return fmt::format("killed by signal {} ({})", end.signal, ::strsignal(end.signal));

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <thread>
-
 #include "ariadne/batch/process.h"
 #include "ariadne/core/error.h"
 #include "ariadne/io/ini_text.h"
@@ -48,19 +46,13 @@ std::string resolvedConfig(const Program& program, const ArmCall& call, const st
   if (command.empty()) return io::readIniText(call.config);
   const TemporaryFile printed;
   Process process(command, printed.path);
-  std::optional<ProcessEnd> end;
-  while (!(end = process.poll())) {
-    if (process.elapsed_s() > kPrintLimit_s)
-      throw core::Error(fmt::format("{}: {} --print-config did not end in {} s", where,
-                                    program.path.string(), kPrintLimit_s));
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-  if (end->signal != 0 || end->exit_code != 0)
-    throw core::UsageError(fmt::format(
-        "{}: {}", where,
-        end->last_words.empty()
-            ? fmt::format("{} --print-config: {}", program.path.string(), describe(*end))
-            : trimmedEnd(end->last_words)));
+  const std::string what = program.path.string() + " --print-config";
+  const ProcessEnd end = endOf(process, kPrintLimit_s, fmt::format("{}: {}", where, what));
+  if (end.signal != 0 || end.exit_code != 0)
+    throw core::UsageError(fmt::format("{}: {}", where,
+                                       end.last_words.empty()
+                                           ? fmt::format("{}: {}", what, describe(end))
+                                           : trimmedEnd(end.last_words)));
   return io::readWhole(printed.path);
 }
 

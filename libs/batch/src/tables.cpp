@@ -41,7 +41,7 @@ Cell cellOf(const Plan& plan, const Values& values, std::size_t arm, std::size_t
   cell.arm = arm;
   cell.planned = planned;
   const Success success = successOf(plan, arm);
-  std::vector<std::vector<double>> figures(plan.figures.size());
+  cell.samples.resize(plan.figures.size());
   for (const auto& [seed, result] : runs) {
     if (!isFinished(result)) {
       ++cell.failed;
@@ -49,12 +49,12 @@ Cell cellOf(const Plan& plan, const Values& values, std::size_t arm, std::size_t
     }
     ++cell.finished;
     if (success.of(result->figures)) ++cell.successes;
-    for (std::size_t i = 0; i < figures.size(); ++i) {
+    for (std::size_t i = 0; i < plan.figures.size(); ++i) {
       const auto found = result->figures.find(plan.arms[arm].prefix + plan.figures[i]);
-      if (found != result->figures.end()) figures[i].push_back(found->second);
+      if (found != result->figures.end()) cell.samples[i].push_back(found->second);
     }
   }
-  for (auto& f : figures) cell.medians.push_back(median(std::move(f)));
+  for (const auto& sample : cell.samples) cell.medians.push_back(median(sample));
   return cell;
 }
 

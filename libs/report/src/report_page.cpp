@@ -1,7 +1,6 @@
 #include "ariadne/report/report_page.h"
 
-#include <functional>
-
+#include "ariadne/io/html.h"
 #include "ariadne/io/whole_file.h"
 #include "page_files.h"
 #include "replay_json.h"
@@ -10,42 +9,9 @@
 namespace ariadne::report {
 namespace {
 
-/// Text as HTML.
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      default:
-        out += c;
-    }
-  return out;
-}
-
-/// The template with each {{name}} replaced; what comes in is not looked through again.
-std::string filled(std::string_view page,
-                   const std::function<std::string(std::string_view name)>& part) {
-  std::string out;
-  for (std::size_t at = 0;;) {
-    const std::size_t open = page.find("{{", at);
-    out += page.substr(at, open - at);
-    if (open == std::string_view::npos) return out;
-    const std::size_t close = page.find("}}", open);
-    out += part(page.substr(open + 2, close - open - 2));
-    at = close + 2;
-  }
-}
-
 std::string pageOf(const Replay& replay) {
-  return filled(kPageHtml, [&](std::string_view name) -> std::string {
-    if (name == "title") return escaped(replay.title);
+  return io::filledTemplate(kPageHtml, [&](std::string_view name) -> std::string {
+    if (name == "title") return io::escapedHtml(replay.title);
     if (name == "style") return std::string(kPageStyle);
     if (name == "chart.js") return std::string(kPageChartJs);
     if (name == "script") return std::string(kPageScript);

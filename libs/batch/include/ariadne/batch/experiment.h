@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ariadne/batch/plot_choice.h"
 #include "ariadne/batch/success.h"
 #include "ariadne/io/ini_text.h"
 
@@ -43,6 +44,7 @@ struct Limits {
 
 struct Experiment {
   std::filesystem::path file;
+  std::string text;  ///< of the file
   std::string title;
   std::vector<Arm> arms;
   std::vector<Factor> factors;
@@ -50,6 +52,7 @@ struct Experiment {
   std::uint64_t last_seed = 10;
   std::vector<std::string> figures;  ///< of which tables give the median
   Success success;
+  PlotChoice plots;
   Limits limits;
 };
 

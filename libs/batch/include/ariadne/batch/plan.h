@@ -31,10 +31,12 @@ struct PlannedRun {
 /// Enough for any machine that sees the results folder to do any of the runs.
 struct Plan {
   std::string title;
+  std::string ini;  ///< text of the experiment's INI
   std::vector<std::string> factors;
   std::vector<PlannedArm> arms;
   std::vector<std::string> figures;
   Success success;
+  PlotChoice plots;
   Limits limits;
   std::vector<PlannedRun> runs;
   std::map<std::string, std::string> configs;  ///< by hash: the arms' resolved INIs

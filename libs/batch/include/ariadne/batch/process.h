@@ -52,6 +52,9 @@ class Process {
 /// Returns when one has ended or says something, a signal comes, or after `longest`.
 void waitForAny(const std::vector<const Process*>& processes, std::chrono::milliseconds longest);
 
+/// Waits for the end, at most `limit_s`; then throws core::Error that calls the process `what`.
+ProcessEnd endOf(Process& process, double limit_s, const std::string& what);
+
 /// "killed by signal 11 (Segmentation fault)", "exit code 1".
 std::string describe(const ProcessEnd& end);
 

@@ -28,7 +28,8 @@ struct Cell {
   std::size_t finished = 0;  ///< with figures
   std::size_t failed = 0;    ///< without: crashed, hung, killed
   std::size_t successes = 0;
-  std::vector<std::optional<double>> medians;  ///< of Plan::figures, over the runs that have it
+  std::vector<std::vector<double>> samples;    ///< of Plan::figures, of the runs that have it
+  std::vector<std::optional<double>> medians;  ///< of those
   std::optional<Pairs> pairs;                  ///< not of the first arm
 };
 

@@ -16,6 +16,7 @@ enum class Purpose : std::uint32_t {
   range_noise = 5,
   recovery = 6,
   start = 7,
+  bootstrap = 8,
   test = 99
 };
 

@@ -1,0 +1,33 @@
+// What the results have come to: the table on the terminal, plots and report.html in the folder.
+#pragma once
+#include <iosfwd>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "ariadne/batch/store.h"
+#include "ariadne/batch/tables.h"
+
+namespace ariadne::experiment_app {
+
+class ResultsOutput {
+ public:
+  /// Reads all results. Both references must outlive this. Throws core::UsageError for a figure
+  /// that no run has, core::Error for a damaged result.
+  ResultsOutput(const batch::Plan& plan, const batch::Store& store);
+
+  const std::map<std::string, batch::RunResult>& results() const { return results_; }
+  void printTable(batch::TableFormat format, std::ostream& out) const;
+  /// FOLDER/plots. Throws core::Error, also when gnuplot is missing.
+  void writePlots() const;
+  /// FOLDER/report.html and plots. Without gnuplot a page without pictures, and a warning on `err`.
+  void writeReport(std::ostream& err) const;
+
+ private:
+  const batch::Plan& plan_;
+  const batch::Store& store_;
+  std::map<std::string, batch::RunResult> results_;
+  std::vector<batch::Cell> cells_;
+};
+
+}  // namespace ariadne::experiment_app

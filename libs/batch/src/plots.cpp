@@ -1,0 +1,85 @@
+#include "ariadne/batch/plots.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
+#include "ariadne/batch/process.h"
+#include "ariadne/batch/program.h"
+#include "ariadne/core/error.h"
+#include "ariadne/io/whole_file.h"
+#include "plot_script.h"
+
+namespace ariadne::batch {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kLimit_s = 300;
+
+/// A folder that is gone with this.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (fs::temp_directory_path() / "ariadne-plots-XXXXXX").string();
+    if (!::mkdtemp(name.data()))
+      throw core::Error(fmt::format("cannot make the folder {}: {}", name, std::strerror(errno)));
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+fs::path findGnuplot() {
+  const fs::path program = findInPath("gnuplot");
+  if (program.empty())
+    throw core::Error("plots are drawn by gnuplot, which is missing: install gnuplot-nox");
+  return program;
+}
+
+void callGnuplot(const fs::path& script) {
+  // -d: without what the user's own start files say
+  Process process({findGnuplot().string(), "-d", script.string()}, {});
+  const ProcessEnd end = endOf(process, kLimit_s, "gnuplot");
+  if (end.signal != 0 || end.exit_code != 0)
+    throw core::Error(fmt::format("gnuplot: {}: {}", describe(end), end.last_words));
+}
+
+}  // namespace
+
+std::vector<Picture> drawPlots(const std::vector<Plot>& plots) {
+  if (plots.empty()) return {};
+  const TemporaryFolder folder;
+  const fs::path script = folder.path() / "plots.gp";
+  io::writeWhole(script, gnuplotScript(plots, folder.path()));
+  callGnuplot(script);
+  std::vector<Picture> pictures;
+  for (const Plot& plot : plots)
+    pictures.push_back({plot.name, io::readWhole(folder.path() / (plot.name + ".svg")),
+                        io::readWhole(folder.path() / (plot.name + ".png"))});
+  return pictures;
+}
+
+void writePictures(const std::vector<Picture>& pictures, const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw core::Error(
+        fmt::format("cannot make the folder {}: {}", folder.string(), error.message()));
+  for (const Picture& picture : pictures) {
+    io::writeWhole(folder / (picture.name + ".svg"), picture.svg);
+    io::writeWhole(folder / (picture.name + ".png"), picture.png);
+  }
+}
+
+}  // namespace ariadne::batch
