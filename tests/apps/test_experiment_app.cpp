@@ -1,10 +1,12 @@
 // ariadne-experiment as its user sees it, without a process of its own.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <sstream>
 
 #include "../batch/stand_in.h"
 #include "../shipped_datasets.h"
+#include "ariadne/batch/program.h"
 #include "experiment_app.h"
 
 namespace fs = std::filesystem;
@@ -100,6 +102,39 @@ TEST_F(ExperimentApp, FailedRunsAreToldAndDoneAgainWhenAsked) {
   EXPECT_TRUE(says("2 runs in ")) << err;
   runInto("b");
   EXPECT_EQ(table("a"), table("b"));
+}
+
+TEST_F(ExperimentApp, PlotsAndPageAreWrittenWhenRunsEnd) {
+  writeExperiment("[seeds]\nlast = 3\n[limits]\nkeep_files = yes\n[plots]\nfigures = value\n");
+  ASSERT_EQ(runInto("a"), 0) << err;
+  EXPECT_TRUE(says("a/report.html")) << err;
+  const std::string page = ariadne::io::readWhole(folder / "a" / "report.html");
+  EXPECT_NE(page.find("set.a.second = yes"), std::string::npos) << "the INI";
+  EXPECT_NE(page.find("<td>set.all</td>"), std::string::npos) << "the arms' difference";
+  fs::remove(folder / "a" / "report.html");
+  ASSERT_EQ(run({"report", at("a")}), 0) << err;
+  EXPECT_EQ(ariadne::io::readWhole(folder / "a" / "report.html"), page);
+  if (ariadne::batch::findInPath("gnuplot").empty()) GTEST_SKIP() << "gnuplot-nox is missing";
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder / "a" / "plots"), {}), 2);
+  fs::remove_all(folder / "a" / "plots");
+  ASSERT_EQ(run({"plot", at("a")}), 0) << err;
+  EXPECT_TRUE(fs::exists(folder / "a" / "plots" / "value.svg"));
+  EXPECT_TRUE(fs::exists(folder / "a" / "plots" / "value.png"));
+}
+
+TEST_F(ExperimentApp, WithoutGnuplotOnlyThePlotsAreMissing) {
+  writeExperiment("[seeds]\nlast = 1\n");
+  const std::string path = std::getenv("PATH");
+  fs::create_directory(folder / "bin");
+  for (const char* tool : {"grep", "sh", "cat"})
+    fs::create_symlink(ariadne::batch::findInPath(tool), folder / "bin" / tool);
+  ::setenv("PATH", at("bin").c_str(), 1);
+  EXPECT_EQ(runInto("a"), 0) << err;
+  EXPECT_TRUE(says("no plots: ")) << err;
+  EXPECT_TRUE(says("install gnuplot-nox")) << err;
+  EXPECT_TRUE(fs::exists(folder / "a" / "report.html"));
+  EXPECT_EQ(run({"plot", at("a")}), 1);
+  ::setenv("PATH", path.c_str(), 1);
 }
 
 TEST_F(ExperimentApp, AnotherExperimentsFolderIsRefused) {

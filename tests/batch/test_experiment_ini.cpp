@@ -38,6 +38,7 @@ TEST(ExperimentIni, ReadsAll) {
       "[factor.world]\nkey = world.file\nvalues = a.world\n"
       "[seeds]\nfirst = 5\nlast = 60\n"
       "[figures]\nnames = ate_rmse_m, costs.cpu_s\nsuccess = ate_rmse_m <= 0.5 # m\n"
+      "[plots]\nfigures = costs.cpu_s\nover = laps\n"
       "[limits]\ntime_s = 1.5\nthreads = 2\nkeep_files = yes\n",
       "folder/e.ini");
   EXPECT_EQ(x.title, "Does it help?");
@@ -55,6 +56,9 @@ TEST(ExperimentIni, ReadsAll) {
   EXPECT_EQ(x.last_seed, 60U);
   EXPECT_EQ(x.figures, (std::vector<std::string>{"ate_rmse_m", "costs.cpu_s"}));
   EXPECT_EQ(x.success.text(), "ate_rmse_m <= 0.5");
+  EXPECT_EQ(x.plots.over, "laps");
+  EXPECT_TRUE(x.plots.has("costs.cpu_s"));
+  EXPECT_FALSE(x.plots.has("success"));
   EXPECT_DOUBLE_EQ(x.limits.time_s, 1.5);
   EXPECT_EQ(x.limits.threads, 2);
   EXPECT_TRUE(x.limits.keep_files);
@@ -82,6 +86,10 @@ TEST(ExperimentIni, ErrorsNamePlaceAndRemedy) {
   expectIn("compares with", kBase + "success = a == 3\n");
   expectIn("is no number", kBase + "success = a <= b\n");
   expectIn("takes a figure", kBase + "success = <= 3\n");
+  expectIn("no error", kBase + "[plots]\nfigures = x, success\n");
+  expectIn("takes all, none, success, x", kBase + "[plots]\nfigures = x, y\n");
+  expectIn("there is no [factor.p]", kBase + "[plots]\nover = p\n");
+  expectIn("the nearest is \"over\"", kBase + "[plots]\novr = p\n");
 }
 
 TEST(ExperimentIni, SuccessByBound) {

@@ -38,7 +38,20 @@ TEST_F(Storing, ThePlanReadsBack) {
     EXPECT_EQ(batch::describe(again, again.runs[i]), batch::describe(plan, plan.runs[i]));
   }
   EXPECT_EQ(again.files, plan.files);
+  EXPECT_EQ(again.ini, io::readWhole(ini()));
+  EXPECT_EQ(again.plots.figures, plan.plots.figures);
   for (const auto& [hash, text] : plan.configs) EXPECT_EQ(io::readWhole(store.config(hash)), text);
+}
+
+TEST_F(Storing, APlanOfBeforeThereWerePlotsIsRead) {
+  const batch::Store store(results());
+  store.writePlan(plan);
+  std::string text = io::readWhole(results() / "plan.json");
+  for (const std::string key : {"\n \"ini\"", "\n \"plots\""})
+    text.erase(text.find(key), text.find("\n \"", text.find(key) + 1) - text.find(key));
+  io::writeWhole(results() / "plan.json", text);
+  EXPECT_EQ(store.readPlan().ini, "");
+  EXPECT_TRUE(store.readPlan().plots.has("value"));
 }
 
 TEST_F(Storing, AFolderOfAnotherExperimentIsRefused) {

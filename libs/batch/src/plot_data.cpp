@@ -34,19 +34,18 @@ std::optional<PlotPoint> medianPoint(const Cell& cell, std::size_t figure) {
   return PlotPoint{0, *cell.medians[figure], i.low, i.high, values.size()};
 }
 
-/// Fit for a file, not yet another's name.
+/// Fit for a file and for gnuplot's `name`, and not another plot's.
 std::string freeName(const std::string& figure, const std::vector<std::string>& values,
                      std::set<std::string>& taken) {
   std::string name = figure;
-  for (const std::string& value : values) name += "-" + value;
+  for (const std::string& value : values) name += "_" + value;
   name = name.substr(0, 80);
   for (char& c : name) {
     const bool fits = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
-    if (!fits && c != '.' && c != '_' && c != '-') c = '_';
+    if (!fits) c = '_';
   }
-  if (name[0] == '.' || name[0] == '-') name[0] = '_';
   std::string numbered = name;
-  for (int i = 2; !taken.insert(numbered).second; ++i) numbered = name + "-" + std::to_string(i);
+  for (int i = 2; !taken.insert(numbered).second; ++i) numbered = name + "_" + std::to_string(i);
   return numbered;
 }
 

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
 
 namespace ariadne::batch {
 namespace {
@@ -19,6 +22,24 @@ bool isUpright(const Plot& plot) { return !plot.numbers.empty(); }
 
 bool hasLegend(const Plot& plot) { return !plot.factor.empty() && plot.series.size() > 1; }
 
+/// UTF-8's later bytes.
+bool isInside(char c) { return (c & 0xC0) == 0x80; }
+
+std::size_t lettersOf(const std::string& text) {
+  return text.size() - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), isInside));
+}
+
+/// Cut where it would take the room of the plot; tables have the whole name.
+std::string shortened(const std::string& text) {
+  constexpr std::size_t kMost = 36;
+  if (lettersOf(text) <= kMost) return text;
+  std::size_t end = 0;
+  for (std::size_t letters = 0; letters < kMost; ++letters) do
+      ++end;
+    while (isInside(text[end]));
+  return text.substr(0, end) + "…";
+}
+
 /// In single quotes nothing but themselves means anything to gnuplot.
 std::string inQuotes(const std::string& text) {
   std::string out = "'";
@@ -32,7 +53,7 @@ std::string inQuotes(const std::string& text) {
 /// A tick's label, in which % would begin a format.
 std::string tick(const std::string& label, double at) {
   std::string text;
-  for (const char c : label) text += c == '%' ? "%%" : std::string(1, c);
+  for (const char c : shortened(label)) text += c == '%' ? "%%" : std::string(1, c);
   return fmt::format("{} {:.10g}", inQuotes(text), at);
 }
 
@@ -80,10 +101,29 @@ std::string numberTicks(const Plot& plot) {
   return "(" + ticks + ")";
 }
 
+/// Five steps or fewer of 1, 2 or 5 times a power of ten: gnuplot's own ticks run into each other
+/// where numbers have many digits.
+std::string valueTicks(const Plot& plot) {
+  if (plot.is_rate) return "20";
+  double low = std::numeric_limits<double>::max();
+  double high = std::numeric_limits<double>::lowest();
+  for (const PlotSeries& s : plot.series)
+    for (const PlotPoint& p : s.points) {
+      low = std::min(low, p.low);
+      high = std::max(high, p.high);
+    }
+  if (!(high > low)) return "autofreq";
+  const double rough = (high - low) / 5;
+  const double decade = std::pow(10, std::floor(std::log10(rough)));
+  for (const double f : {1.0, 2.0, 5.0})
+    if (f * decade >= rough) return fmt::format("{:.10g}", f * decade);
+  return fmt::format("{:.10g}", 10 * decade);
+}
+
 std::string axesOf(const Plot& plot) {
   const char* value_axis = isUpright(plot) ? "y" : "x";
-  std::string text = fmt::format("set {}label {}\nset {}tics autofreq\nset grid {}tics\n",
-                                 value_axis, inQuotes(plot.figure), value_axis, value_axis);
+  std::string text = fmt::format("set {0}label {1}\nset {0}tics {2}\n", value_axis,
+                                 inQuotes(plot.figure), valueTicks(plot));
   if (plot.is_rate) text += fmt::format("set {}range [0:100]\n", value_axis);
   if (isUpright(plot)) {
     const double margin = 0.06 * (plot.numbers.back() - plot.numbers.front());
@@ -97,8 +137,7 @@ std::string axesOf(const Plot& plot) {
   for (std::size_t i = 0; i < plot.places.size(); ++i)
     ticks += (i == 0 ? "" : ", ") + tick(plot.places[i], static_cast<double>(i));
   return text +
-         fmt::format("set ylabel {}\nset ytics ({})\nset yrange [{}:-0.5]\n",
-                     inQuotes(withUnit(plot.factor)), ticks,
+         fmt::format("set ytics ({})\nset yrange [{}:-0.5]\n", ticks,
                      static_cast<double>(plot.places.size()) - 0.5) +
          (plot.is_rate ? "" : "set offsets graph 0.05, graph 0.05, 0, 0\n");
 }
@@ -107,12 +146,28 @@ std::string curvesOf(const Plot& plot) {
   std::string text = "plot ";
   for (std::size_t s = 0; s < plot.series.size(); ++s) {
     if (plot.series[s].points.empty()) continue;
-    text += fmt::format(
-        "{}$d{} using 1:2:3:4 with {} lc rgb '{}' pt {} title {}", text == "plot " ? "" : ", ", s,
-        isUpright(plot) ? "yerrorlines" : "xerrorbars", kColours[s % std::size(kColours)],
-        kMarks[s % std::size(kMarks)], hasLegend(plot) ? inQuotes(plot.series[s].name) : "''");
+    text +=
+        fmt::format("{}$d{} using 1:2:3:4 with {} lc rgb '{}' pt {} title {}",
+                    text == "plot " ? "" : ", ", s, isUpright(plot) ? "yerrorlines" : "xerrorbars",
+                    kColours[s % std::size(kColours)], kMarks[s % std::size(kMarks)],
+                    hasLegend(plot) ? inQuotes(shortened(plot.series[s].name)) : "''");
   }
   return text + "\n";
+}
+
+/// What names on the left take, of the letters that fonts are at most wide.
+int leftOf(const Plot& plot) {
+  std::size_t longest = 0;
+  for (const std::string& place : plot.places)
+    longest = std::max(longest, lettersOf(shortened(place)));
+  return (plot.factor.empty() ? 30 : 50) + 8 * static_cast<int>(longest);
+}
+
+/// gnuplot would leave much more than names take, and with that set put its own label beside it.
+std::string leftSide(const Plot& plot, int width) {
+  return fmt::format(
+      "set lmargin at screen {:.4g}\nset label 1 {} at screen {:.4g}, graph 0.5 center rotate\n",
+      static_cast<double>(leftOf(plot)) / width, inQuotes(withUnit(plot.factor)), 16.0 / width);
 }
 
 int heightOf(const Plot& plot) {
@@ -122,13 +177,14 @@ int heightOf(const Plot& plot) {
 }
 
 std::string scriptOf(const Plot& plot, const std::filesystem::path& folder) {
-  constexpr int kWidth = 640;
+  const int width = isUpright(plot) ? 640 : std::max(640, leftOf(plot) + 420);
   const int height = heightOf(plot);
   std::string text = "reset\n" + dataOf(plot) +
                      "set border 3\nset tics nomirror out\n"
-                     "set grid lc rgb '#b4b4b4' lw 0.5 dt 1\n"
-                     "set bars 0.6\nset key outside below center horizontal Left reverse\n" +
+                     "set grid xtics ytics lc rgb '#b4b4b4' lw 0.5 dt 1\n"
+                     "set bars 0.6\nset key outside above center horizontal Left reverse\n" +
                      axesOf(plot);
+  if (!isUpright(plot)) text += leftSide(plot, width);
   if (!plot.panel.empty()) text += "set title " + inQuotes(plot.panel) + "\n";
   const auto output = [&](const char* end) {
     return "set output " + inQuotes((folder / (plot.name + end)).string()) + "\n";
@@ -137,12 +193,12 @@ std::string scriptOf(const Plot& plot, const std::filesystem::path& folder) {
   text += fmt::format(
       "set terminal svg size {},{} fixed font 'sans-serif,14' linewidth 1.4 noenhanced "
       "background '#ffffff' name {}\n",
-      kWidth, height, inQuotes(plot.name));
+      width, height, inQuotes(plot.name));
   text += output(".svg") + curvesOf(plot);
   text += fmt::format(
       "set terminal pngcairo size {},{} font 'sans,11' fontscale 2 linewidth 2.4 pointscale 2 "
       "noenhanced background '#ffffff'\n",
-      2 * kWidth, 2 * height);
+      2 * width, 2 * height);
   return text + output(".png") + "replot\nunset output\n";
 }
 

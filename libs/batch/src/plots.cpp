@@ -47,12 +47,18 @@ fs::path findGnuplot() {
   return program;
 }
 
+/// Where gnuplot says what is wrong; above it stands the line of the script.
+std::string lastLine(std::string words) {
+  words.erase(words.find_last_not_of(" \n") + 1);
+  return words.substr(words.rfind('\n') + 1);
+}
+
 void callGnuplot(const fs::path& script) {
   // -d: without what the user's own start files say
   Process process({findGnuplot().string(), "-d", script.string()}, {});
   const ProcessEnd end = endOf(process, kLimit_s, "gnuplot");
   if (end.signal != 0 || end.exit_code != 0)
-    throw core::Error(fmt::format("gnuplot: {}: {}", describe(end), end.last_words));
+    throw core::Error(fmt::format("gnuplot: {}: {}", describe(end), lastLine(end.last_words)));
 }
 
 }  // namespace

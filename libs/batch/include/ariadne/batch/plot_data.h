@@ -26,7 +26,7 @@ struct PlotSeries {
 
 /// One figure over one factor's values, or over the arms where there is no factor.
 struct Plot {
-  std::string name;                 ///< of its files, without ending: letters, digits, . _ -
+  std::string name;                 ///< of its files, without ending: letters, digits, _
   std::string figure;               ///< with its unit: "distance (m)"
   std::string about;                ///< "median, bootstrap 95 % interval"
   std::string panel;                ///< values of the other factors: "world nested"
