@@ -10,6 +10,14 @@ namespace {
 
 using Values = std::vector<std::string>;
 
+/// A number in C notation and nothing behind it.
+std::optional<double> numberOf(const std::string& text) {
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || !std::isfinite(number)) return std::nullopt;
+  return number;
+}
+
 /// In the plan's order.
 Values valuesOf(const std::vector<Cell>& cells, std::size_t factor) {
   Values values;
@@ -34,13 +42,6 @@ std::optional<std::size_t> factorOf(const Plan& plan, const std::vector<Cell>& c
 }
 
 }  // namespace
-
-std::optional<double> numberOf(const std::string& text) {
-  char* end = nullptr;
-  const double number = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || !std::isfinite(number)) return std::nullopt;
-  return number;
-}
 
 std::size_t PlotAxis::placeOf(const Cell& cell) const {
   if (!factor) return cell.arm;

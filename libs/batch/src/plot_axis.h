@@ -10,9 +10,6 @@
 
 namespace ariadne::batch {
 
-/// A number in C notation and nothing behind it.
-std::optional<double> numberOf(const std::string& text);
-
 struct PlotAxis {
   std::optional<std::size_t> factor;  ///< in Plan::factors; nothing: arms are the places
   std::vector<std::string> places;

@@ -77,6 +77,7 @@ std::vector<Picture> drawPlots(const std::vector<Plot>& plots) {
 }
 
 void writePictures(const std::vector<Picture>& pictures, const fs::path& folder) {
+  if (pictures.empty()) return;
   std::error_code error;
   fs::create_directories(folder, error);
   if (error)

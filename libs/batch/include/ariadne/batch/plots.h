@@ -18,7 +18,8 @@ struct Picture {
 /// what it says when it fails.
 std::vector<Picture> drawPlots(const std::vector<Plot>& plots);
 
-/// NAME.svg and NAME.png of the folder, which is made. Throws core::Error.
+/// NAME.svg and NAME.png of the folder, which is made unless there is nothing to write. Throws
+/// core::Error.
 void writePictures(const std::vector<Picture>& pictures, const std::filesystem::path& folder);
 
 }  // namespace ariadne::batch
