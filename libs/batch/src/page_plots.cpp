@@ -52,7 +52,8 @@ std::string numbersOf(const Plot& plot) {
 }  // namespace
 
 std::string plotsHtml(const std::vector<Plot>& plots, const std::vector<Picture>& pictures) {
-  if (plots.empty()) return "<p class=\"card\">No run is finished that has what they show.</p>\n";
+  if (plots.empty())
+    return "<p>None: the INI asks for none, or no run is finished that has what they show.</p>\n";
   BoundedList list(kMostBytes);
   for (std::size_t i = 0; i < plots.size(); ++i) {
     const std::string title = io::escapedHtml(titleOf(plots[i]));
