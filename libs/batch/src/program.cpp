@@ -43,16 +43,19 @@ bool canRun(const fs::path& file) {
 fs::path search(const std::string& name) {
   std::error_code ignored;
   const fs::path beside = fs::read_symlink("/proc/self/exe", ignored).parent_path() / name;
-  if (canRun(beside)) return beside;
-  const char* path = std::getenv("PATH");
-  for (const std::string& folder : splitList(path ? path : "", ":"))
-    if (canRun(fs::path(folder) / name)) return fs::absolute(fs::path(folder) / name);
-  return {};
+  return canRun(beside) ? beside : findInPath(name);
 }
 
 void append(Words& to, const Words& words) { to.insert(to.end(), words.begin(), words.end()); }
 
 }  // namespace
+
+fs::path findInPath(const std::string& name) {
+  const char* path = std::getenv("PATH");
+  for (const std::string& folder : splitList(path ? path : "", ":"))
+    if (canRun(fs::path(folder) / name)) return fs::absolute(fs::path(folder) / name);
+  return {};
+}
 
 Program findProgram(const std::string& name, const fs::path& folder, const std::string& where) {
   if (name.find('/') != std::string::npos) {
