@@ -7,14 +7,16 @@
 #include <ostream>
 
 #include "ariadne/batch/schedule.h"
-#include "ariadne/batch/tables.h"
-#include "ariadne/core/error.h"
+#include "cluster_status.h"
+#include "collect.h"
 #include "dry_run.h"
 #include "experiment_options.h"
 #include "experiment_status.h"
+#include "folder_steps.h"
 #include "interrupt.h"
 #include "run_program.h"
 #include "run_progress.h"
+#include "submit.h"
 
 namespace ariadne {
 namespace {
@@ -28,17 +30,11 @@ constexpr const char* kName = "ariadne-experiment";
 /// Says on `err` when the table is not that of the whole plan.
 void printTable(const Plan& plan, const Store& store, batch::TableFormat format, std::ostream& out,
                 std::ostream& err) {
-  const auto results = store.results(plan);
-  const Counts counts = countRuns(plan, results);
+  const Counts counts = countRuns(plan, store.results(plan));
   if (counts.finished + counts.failed < counts.planned)
     fmt::print(err, "{}: {} of {} runs have a result\n", kName, counts.finished + counts.failed,
                counts.planned);
-  out << batch::render(batch::tableOf(plan, batch::cellsOf(plan, results), format), format);
-}
-
-void forgetFailed(const Plan& plan, const Store& store) {
-  for (const auto& [key, result] : store.results(plan))
-    if (!result.failure.empty()) store.forget(key);
+  out << tableIn(store, plan, format);
 }
 
 void tellEnd(const Options& o, const batch::ScheduleEnd& end, std::ostream& err) {
@@ -69,13 +65,7 @@ int work(const Options& o, const Plan& plan, const Store& store, std::ostream& e
 }
 
 int runExperiment(const Options& o, std::ostream& out, std::ostream& err) {
-  batch::Experiment experiment = batch::readExperiment(o.ini);
-  if (o.first) experiment.first_seed = *o.first;
-  if (o.last) experiment.last_seed = *o.last;
-  if (experiment.last_seed < experiment.first_seed)
-    throw core::UsageError(fmt::format("last seed {} is before first seed {}", experiment.last_seed,
-                                       experiment.first_seed));
-  const Plan plan = batch::planOf(experiment);
+  const Plan plan = planFor(o);
   const Store store(o.folder.empty() ? "." : o.folder);
   if (o.dry_run) {
     printPlan(plan, o.folder.empty() ? nullptr : &store, o.jobs, out);
@@ -98,13 +88,17 @@ int run(const std::vector<std::string>& args, std::ostream& out, std::ostream& e
   const auto options = parseOptions(args, out);
   if (!options) return 0;
   if (options->command == Command::run) return runExperiment(*options, out, err);
+  if (options->command == Command::submit) return submit(*options, out, err);
   const Store store(options->folder);
   const Plan plan = store.readPlan();
   if (options->command == Command::work) return work(*options, plan, store, err);
-  if (options->command == Command::status)
+  if (options->command == Command::collect) return collect(plan, store, out, err);
+  if (options->command == Command::status) {
     printStatus(plan, store, out);
-  else
+    printClusterStatus(plan, store, out);
+  } else {
     printTable(plan, store, options->format, out, err);
+  }
   return 0;
 }
 

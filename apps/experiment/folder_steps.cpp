@@ -1,0 +1,30 @@
+#include "folder_steps.h"
+
+#include <fmt/format.h>
+
+#include "ariadne/batch/tables.h"
+#include "ariadne/core/error.h"
+
+namespace ariadne::experiment_app {
+
+batch::Plan planFor(const Options& o) {
+  batch::Experiment experiment = batch::readExperiment(o.ini);
+  if (o.first) experiment.first_seed = *o.first;
+  if (o.last) experiment.last_seed = *o.last;
+  if (experiment.last_seed < experiment.first_seed)
+    throw core::UsageError(fmt::format("last seed {} is before first seed {}", experiment.last_seed,
+                                       experiment.first_seed));
+  return batch::planOf(experiment);
+}
+
+void forgetFailed(const batch::Plan& plan, const batch::Store& store) {
+  for (const auto& [key, result] : store.results(plan))
+    if (!result.failure.empty()) store.forget(key);
+}
+
+std::string tableIn(const batch::Store& store, const batch::Plan& plan, batch::TableFormat format) {
+  return batch::render(batch::tableOf(plan, batch::cellsOf(plan, store.results(plan)), format),
+                       format);
+}
+
+}  // namespace ariadne::experiment_app
