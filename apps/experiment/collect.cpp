@@ -16,7 +16,8 @@ namespace ariadne::experiment_app {
 
 int collect(const batch::Plan& plan, const batch::Store& store, std::ostream& out,
             std::ostream& err) {
-  const Counts counts = countRuns(plan, store.results(plan));
+  const auto results = store.results(plan);
+  const Counts counts = countRuns(plan, results);
   if (const std::size_t left = counts.planned - counts.finished - counts.failed; left > 0) {
     fmt::print(err,
                "ariadne-experiment: {} of {} runs have no result yet: see status {}; submit again "
@@ -34,7 +35,7 @@ int collect(const batch::Plan& plan, const batch::Store& store, std::ostream& ou
        {std::pair("txt", batch::TableFormat::text), std::pair("csv", batch::TableFormat::csv),
         std::pair("md", batch::TableFormat::markdown),
         std::pair("tex", batch::TableFormat::latex)}) {
-    const std::string text = tableIn(store, plan, format);
+    const std::string text = tableText(plan, results, format);
     io::writeWhole(folder / fmt::format("table.{}", ending), text);
     if (format == batch::TableFormat::text) out << text;
   }

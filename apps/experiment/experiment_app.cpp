@@ -30,11 +30,12 @@ constexpr const char* kName = "ariadne-experiment";
 /// Says on `err` when the table is not that of the whole plan.
 void printTable(const Plan& plan, const Store& store, batch::TableFormat format, std::ostream& out,
                 std::ostream& err) {
-  const Counts counts = countRuns(plan, store.results(plan));
+  const auto results = store.results(plan);
+  const Counts counts = countRuns(plan, results);
   if (counts.finished + counts.failed < counts.planned)
     fmt::print(err, "{}: {} of {} runs have a result\n", kName, counts.finished + counts.failed,
                counts.planned);
-  out << tableIn(store, plan, format);
+  out << tableText(plan, results, format);
 }
 
 void tellEnd(const Options& o, const batch::ScheduleEnd& end, std::ostream& err) {

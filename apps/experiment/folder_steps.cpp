@@ -22,9 +22,10 @@ void forgetFailed(const batch::Plan& plan, const batch::Store& store) {
     if (!result.failure.empty()) store.forget(key);
 }
 
-std::string tableIn(const batch::Store& store, const batch::Plan& plan, batch::TableFormat format) {
-  return batch::render(batch::tableOf(plan, batch::cellsOf(plan, store.results(plan)), format),
-                       format);
+std::string tableText(const batch::Plan& plan,
+                      const std::map<std::string, batch::RunResult>& results,
+                      batch::TableFormat format) {
+  return batch::render(batch::tableOf(plan, batch::cellsOf(plan, results), format), format);
 }
 
 }  // namespace ariadne::experiment_app

@@ -1,5 +1,6 @@
 // Steps that several commands of ariadne-experiment take in a results folder.
 #pragma once
+#include <map>
 #include <string>
 
 #include "ariadne/batch/plan.h"
@@ -15,7 +16,9 @@ batch::Plan planFor(const Options& options);
 /// Drops the results of runs that failed, so that they are done again.
 void forgetFailed(const batch::Plan& plan, const batch::Store& store);
 
-/// The table of what has a result.
-std::string tableIn(const batch::Store& store, const batch::Plan& plan, batch::TableFormat format);
+/// Throws core::UsageError as batch::cellsOf.
+std::string tableText(const batch::Plan& plan,
+                      const std::map<std::string, batch::RunResult>& results,
+                      batch::TableFormat format);
 
 }  // namespace ariadne::experiment_app
