@@ -74,7 +74,7 @@ Called call(std::vector<std::string> argv, double limit_s) {
   return called;
 }
 
-int callInForeground(const std::vector<std::string>& argv) {
+void callInForeground(const std::vector<std::string>& argv) {
   std::vector<char*> pointers;
   pointers.reserve(argv.size() + 1);
   for (const std::string& a : argv) pointers.push_back(const_cast<char*>(a.c_str()));
@@ -89,10 +89,8 @@ int callInForeground(const std::vector<std::string>& argv) {
     ::_exit(127);
   }
   const TerminalSignalsIgnored ignored;
-  int status = 0;
-  while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+  while (::waitpid(pid, nullptr, 0) < 0 && errno == EINTR) {
   }
-  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
 }  // namespace ariadne::cluster

@@ -15,8 +15,8 @@ struct Called {
 /// Waits for it, at most `limit_s` seconds: a controller that is down lets its clients hang.
 Called call(std::vector<std::string> argv, double limit_s = 60);
 
-/// With this process's terminal, and no limit. Returns its exit code, 128 + the signal that ended
-/// it; Ctrl-C reaches it and not us. Throws core::Error when it cannot be started.
-int callInForeground(const std::vector<std::string>& argv);
+/// With this process's terminal, and no limit; returns when it has ended in any way. Ctrl-C reaches
+/// it and not us. Throws core::Error when it cannot be started.
+void callInForeground(const std::vector<std::string>& argv);
 
 }  // namespace ariadne::cluster
