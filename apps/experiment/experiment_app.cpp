@@ -8,14 +8,17 @@
 
 #include "ariadne/batch/run_counts.h"
 #include "ariadne/batch/schedule.h"
-#include "ariadne/core/error.h"
+#include "cluster_status.h"
+#include "collect.h"
 #include "dry_run.h"
 #include "experiment_options.h"
 #include "experiment_status.h"
+#include "folder_steps.h"
 #include "interrupt.h"
 #include "results_output.h"
 #include "run_program.h"
 #include "run_progress.h"
+#include "submit.h"
 
 namespace ariadne {
 namespace {
@@ -40,17 +43,12 @@ void showResults(const Options& o, const Plan& plan, const Store& store, std::os
   const ResultsOutput results(plan, store);
   if (!o.quiet) tellMissing(plan, results, err);
   const bool is_table = o.command == Command::table || o.command == Command::run;
-  if (is_table && !o.quiet) results.printTable(o.format, out);
+  if (is_table && !o.quiet) out << results.table(o.format);
   if (o.command == Command::plot) results.writePlots();
   if (o.command == Command::report || o.command == Command::run) results.writeReport(err);
   if (o.command != Command::table && !o.quiet)
     fmt::print(err, "{}\n",
                (store.folder() / (o.command == Command::plot ? "plots" : "report.html")).string());
-}
-
-void forgetFailed(const Plan& plan, const Store& store) {
-  for (const auto& [key, result] : store.results(plan))
-    if (!result.failure.empty()) store.forget(key);
 }
 
 void tellEnd(const Options& o, const batch::ScheduleEnd& end, std::ostream& err) {
@@ -81,13 +79,7 @@ int work(const Options& o, const Plan& plan, const Store& store, std::ostream& e
 }
 
 int runExperiment(const Options& o, std::ostream& out, std::ostream& err) {
-  batch::Experiment experiment = batch::readExperiment(o.ini);
-  if (o.first) experiment.first_seed = *o.first;
-  if (o.last) experiment.last_seed = *o.last;
-  if (experiment.last_seed < experiment.first_seed)
-    throw core::UsageError(fmt::format("last seed {} is before first seed {}", experiment.last_seed,
-                                       experiment.first_seed));
-  const Plan plan = batch::planOf(experiment);
+  const Plan plan = planFor(o);
   const Store store(o.folder.empty() ? "." : o.folder);
   if (o.dry_run) {
     printPlan(plan, o.folder.empty() ? nullptr : &store, o.jobs, out);
@@ -110,13 +102,17 @@ int run(const std::vector<std::string>& args, std::ostream& out, std::ostream& e
   const auto options = parseOptions(args, out);
   if (!options) return 0;
   if (options->command == Command::run) return runExperiment(*options, out, err);
+  if (options->command == Command::submit) return submit(*options, out, err);
   const Store store(options->folder);
   const Plan plan = store.readPlan();
   if (options->command == Command::work) return work(*options, plan, store, err);
-  if (options->command == Command::status)
+  if (options->command == Command::collect) return collect(plan, store, out, err);
+  if (options->command == Command::status) {
     printStatus(plan, store, out);
-  else
+    printClusterStatus(plan, store, out);
+  } else {
     showResults(*options, plan, store, out, err);
+  }
   return 0;
 }
 

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "ariadne/core/error.h"
+#include "submit_options.h"
 
 namespace ariadne::experiment_app {
 namespace {
@@ -31,6 +32,8 @@ constexpr const char* kFooter =
     "  ariadne-experiment table small --format latex > small.tex\n"
     "  ariadne-experiment report small                 # plots and report.html, also on the way\n"
     "  ariadne-experiment work small --slice 3/10      # a tenth of the plan, on any machine\n"
+    "  ariadne-experiment submit ini/paper/small.ini --out /shared/small --engine slurm\n"
+    "  ariadne-experiment collect /shared/small\n"
     "Exit code: 0 fine, 1 a run failed or a file could not be written, 2 wrong use, 130 stopped "
     "by\n"
     "Ctrl-C, 143 by SIGTERM.";
@@ -69,7 +72,6 @@ void addJobs(CLI::App* sub, Options& o) {
 
 std::optional<Options> parseOptions(const std::vector<std::string>& args, std::ostream& out) {
   Options o;
-  o.jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   std::string slice = "1/1";
   CLI::App app(kAbout, "ariadne-experiment");
   app.require_subcommand(1);
@@ -100,6 +102,10 @@ std::optional<Options> parseOptions(const std::vector<std::string>& args, std::o
   report->add_option("FOLDER", o.folder, "results folder")->required();
   CLI::App* status = app.add_subcommand("status", "How far it is, and what failed");
   status->add_option("FOLDER", o.folder, "results folder")->required();
+  CLI::App* submit = addSubmit(app, o);
+  CLI::App* collect =
+      app.add_subcommand("collect", "Tables, plots and page of what submit handed out");
+  collect->add_option("FOLDER", o.folder, "results folder")->required();
   try {
     app.parse(std::vector<std::string>(args.rbegin(), args.rend()));
   } catch (const CLI::ParseError& e) {
@@ -109,12 +115,16 @@ std::optional<Options> parseOptions(const std::vector<std::string>& args, std::o
     return std::nullopt;
   }
   readSlice(slice, o);
-  o.command = *run      ? Command::run
-              : *work   ? Command::work
-              : *table  ? Command::table
-              : *plot   ? Command::plot
-              : *report ? Command::report
-                        : Command::status;
+  o.command = *run       ? Command::run
+              : *work    ? Command::work
+              : *table   ? Command::table
+              : *plot    ? Command::plot
+              : *report  ? Command::report
+              : *submit  ? Command::submit
+              : *collect ? Command::collect
+                         : Command::status;
+  if (o.jobs == 0)
+    o.jobs = *submit ? 1 : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   if (o.command == Command::run && o.folder.empty() && !o.dry_run)
     throw core::UsageError("--out is missing: the results folder, the same to go on (see --help)");
   return o;

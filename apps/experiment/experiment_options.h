@@ -7,16 +7,20 @@
 #include <vector>
 
 #include "ariadne/batch/text_table.h"
+#include "ariadne/cluster/parallel_command.h"
+#include "ariadne/cluster/slurm_options.h"
 
 namespace ariadne::experiment_app {
 
-enum class Command { run, work, table, plot, report, status };
+enum class Command { run, work, table, plot, report, status, submit, collect };
+
+enum class Engine { slurm, parallel };
 
 struct Options {
   Command command = Command::run;
   std::string ini;
   std::string folder;
-  int jobs = 1;
+  int jobs = 0;
   std::optional<std::uint64_t> first;
   std::optional<std::uint64_t> last;
   bool dry_run = false;
@@ -25,6 +29,11 @@ struct Options {
   std::size_t slice = 1;
   std::size_t slices = 1;
   batch::TableFormat format = batch::TableFormat::text;
+  Engine engine = Engine::slurm;
+  std::size_t handed_slices = 0;  ///< of submit; 0: by the number of runs
+  bool script_only = false;
+  cluster::SlurmOptions slurm;
+  cluster::ParallelOptions parallel;
 };
 
 /// Nothing when --help or --version was asked for and given. Throws core::UsageError.

@@ -20,8 +20,8 @@ ResultsOutput::ResultsOutput(const batch::Plan& plan, const batch::Store& store)
       results_(store.results(plan)),
       cells_(batch::cellsOf(plan, results_)) {}
 
-void ResultsOutput::printTable(batch::TableFormat format, std::ostream& out) const {
-  out << batch::render(batch::tableOf(plan_, cells_, format), format);
+std::string ResultsOutput::table(batch::TableFormat format) const {
+  return batch::render(batch::tableOf(plan_, cells_, format), format);
 }
 
 void ResultsOutput::writePlots() const {

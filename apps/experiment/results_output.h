@@ -17,7 +17,7 @@ class ResultsOutput {
   ResultsOutput(const batch::Plan& plan, const batch::Store& store);
 
   const std::map<std::string, batch::RunResult>& results() const { return results_; }
-  void printTable(batch::TableFormat format, std::ostream& out) const;
+  std::string table(batch::TableFormat format) const;
   /// FOLDER/plots. Throws core::Error, also when gnuplot is missing.
   void writePlots() const;
   /// FOLDER/report.html and plots. Without gnuplot a page without pictures, and a warning on `err`.

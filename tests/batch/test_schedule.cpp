@@ -70,6 +70,22 @@ TEST_F(Scheduling, ErrorsAgainstATruthAreOfAnyProgramsTrajectory) {
   EXPECT_NE(resultOf(1).failure.find("trajectory.tum"), std::string::npos);
 }
 
+TEST_F(Scheduling, AKillThatWasMeantForTheWorkerTooIsNoResult) {
+  writeProgram("touch \"$here/killed\"; kill -9 $$");
+  writeExperiment("[seeds]\nlast = 1\n");
+  std::optional<std::chrono::steady_clock::time_point> killed;
+  options.stop = [&] {  // our own signal comes a little later
+    const auto now = std::chrono::steady_clock::now();
+    if (!killed && fs::exists(folder / "killed")) killed = now;
+    return killed && now - *killed > std::chrono::milliseconds(100);
+  };
+  const auto end = run();
+  EXPECT_TRUE(end.stopped);
+  EXPECT_EQ(end.done, 0U);
+  EXPECT_EQ(entriesOf("runs"), 0U);
+  EXPECT_EQ(entriesOf("claims"), 1U);
+}
+
 TEST_F(Scheduling, ACrashAHangAndAKillCostOnlyTheirRuns) {
   writeProgram(R"(case $seed in
   1) echo "about to crash" >&2; kill -SEGV $$;;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 #include "ariadne/batch/content_hash.h"
 #include "ariadne/core/error.h"
 #include "arm_call.h"
@@ -107,6 +109,14 @@ std::string describe(const Plan& plan, const PlannedRun& run) {
   for (std::size_t i = 0; i < run.values.size(); ++i)
     text += fmt::format(", {} {}", plan.factors[i], run.values[i]);
   return text + ", " + plan.arms[run.arm].name;
+}
+
+std::vector<const PlannedRun*> distinctRuns(const Plan& plan) {
+  std::vector<const PlannedRun*> runs;
+  std::set<std::string> seen;
+  for (const PlannedRun& run : plan.runs)
+    if (seen.insert(run.key).second) runs.push_back(&run);
+  return runs;
 }
 
 Plan planOf(const Experiment& experiment) { return Planner(experiment).run(); }

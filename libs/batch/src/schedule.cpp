@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <deque>
 #include <list>
-#include <set>
 #include <thread>
 
 #include "ariadne/batch/claims.h"
@@ -42,15 +41,13 @@ class Scheduler {
  public:
   Scheduler(const Store& store, const Plan& plan, const ScheduleOptions& options)
       : store_(store), plan_(plan), options_(options), claims_(store.claims()) {
-    std::set<std::string> seen;
-    std::size_t index = 0;
-    for (const PlannedRun& run : plan.runs) {
-      if (!seen.insert(run.key).second || index++ % options.slices != options.slice - 1) continue;
+    const auto runs = distinctRuns(plan);
+    for (std::size_t i = options.slice - 1; i < runs.size(); i += options.slices) {
       ++progress_.planned;
-      if (store.has(run.key))
+      if (store.has(runs[i]->key))
         ++progress_.finished;
       else
-        pending_.push_back(&run);
+        pending_.push_back(runs[i]);
     }
     claims_.buryDead([&](const std::string& owner) { store_.clearAfter(owner); });
   }

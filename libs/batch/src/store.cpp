@@ -53,6 +53,7 @@ void Store::refuseOthers(const Plan& plan) const {
   for (const auto& entry : fs::directory_iterator(folder_)) {
     const std::string name = entry.path().filename().string();
     if (name == "configs" || name == "runs" || name == "claims" || name[0] == '.') continue;
+    if (isThere(folder_ / "plan.json")) return refuseOthers(plan);  // another wrote it just now
     throw core::UsageError(fmt::format(
         "{} holds files and no plan.json of an experiment: name a new or empty folder with --out",
         folder_.string()));

@@ -57,8 +57,10 @@ std::optional<RunResult> Worker::poll() {
     }
     return std::nullopt;
   }
-  was_told_ = !too_long_ && (end->signal == SIGINT || end->signal == SIGTERM ||
-                             end->exit_code == 128 + SIGINT || end->exit_code == 128 + SIGTERM);
+  // SIGKILL: a scheduler that ends a whole job may come to the run a moment before it comes to us.
+  was_told_ =
+      !too_long_ && (end->signal == SIGINT || end->signal == SIGTERM || end->signal == SIGKILL ||
+                     end->exit_code == 128 + SIGINT || end->exit_code == 128 + SIGTERM);
   return judge(*end);
 }
 

@@ -46,6 +46,9 @@ struct Plan {
 /// "seed 3, laps 10, frontier".
 std::string describe(const Plan& plan, const PlannedRun& run);
 
+/// Each run once, in the plan's order: the i-th of them (from 0) is in slice i % n + 1 of n.
+std::vector<const PlannedRun*> distinctRuns(const Plan& plan);
+
 /// Asks every arm's program for its resolved INI, so that a mistake in one fails here.
 /// Throws core::UsageError or core::Error with the place in the experiment's INI.
 Plan planOf(const Experiment& experiment);

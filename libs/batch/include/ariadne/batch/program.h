@@ -25,7 +25,7 @@ struct Program {
 Program findProgram(const std::string& name, const std::filesystem::path& folder,
                     const std::string& where);
 
-/// An executable in one of PATH's folders; empty when there is none.
+/// An executable of the environment's PATH; empty when there is none of that name.
 std::filesystem::path findInPath(const std::string& name);
 
 /// One arm at one combination of the factors' values, as the program takes it; paths absolute.

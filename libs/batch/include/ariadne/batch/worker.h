@@ -22,7 +22,7 @@ class Worker {
   /// The result once there is one; kills a run over its time limit. Throws core::Error when the
   /// disk is full: that is no result of the run.
   std::optional<RunResult> poll();
-  /// Whether the run that ended was told to by SIGINT or SIGTERM, not by us.
+  /// Whether the run that ended was told to by SIGINT, SIGTERM or SIGKILL, not by us.
   bool wasTold() const { return was_told_; }
   /// Moves the files of a successful run to their place, where that was asked for.
   void keepFiles() const;

@@ -1,0 +1,45 @@
+#include "submit_checks.h"
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <filesystem>
+#include <ostream>
+
+#include "ariadne/batch/program.h"
+#include "ariadne/cluster/called.h"
+#include "ariadne/core/error.h"
+
+namespace ariadne::experiment_app {
+
+void checkSubmit(const Options& o) {
+  if (o.engine == Engine::slurm) {
+    cluster::check(o.slurm);
+    if (!o.script_only && batch::findInPath("sbatch").empty())
+      throw core::UsageError(
+          "there is no sbatch in PATH: install Debian's package slurm-client and the cluster's "
+          "slurm.conf, or write the script here with --script-only and hand it over elsewhere");
+    return;
+  }
+  std::error_code ignored;
+  if (o.parallel.sshloginfile.empty())
+    throw core::UsageError(
+        "--engine parallel needs --sshloginfile: a file with a machine a line, \":\" for this one");
+  if (!std::filesystem::is_regular_file(o.parallel.sshloginfile, ignored))
+    throw core::UsageError(
+        fmt::format("--sshloginfile: there is no file {}", o.parallel.sshloginfile.string()));
+  // moreutils has another program of this name.
+  const cluster::Called version = cluster::call({"parallel", "--version"});
+  if (version.missing || version.out.find("GNU parallel") == std::string::npos)
+    throw core::UsageError("there is no GNU parallel in PATH: install Debian's package parallel");
+}
+
+void warnOfTime(const Options& o, const batch::Plan& plan, std::ostream& err) {
+  if (o.slurm.time.empty() || cluster::slurmTime_s(o.slurm.time) >= plan.limits.time_s) return;
+  fmt::print(err,
+             "ariadne-experiment: a run may take {} s ([limits] time_s), a task ends after --time "
+             "{}: a longer run would never come to its end\n",
+             plan.limits.time_s, o.slurm.time);
+}
+
+}  // namespace ariadne::experiment_app

@@ -1,0 +1,96 @@
+#include "ariadne/cluster/called.h"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "ariadne/batch/process.h"
+#include "ariadne/batch/program.h"
+#include "ariadne/core/error.h"
+#include "ariadne/io/whole_file.h"
+
+namespace ariadne::cluster {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file that is gone with this.
+struct TemporaryFile {
+  fs::path path = fs::temp_directory_path() / fmt::format("ariadne-called-{}", ::getpid());
+  ~TemporaryFile() {
+    std::error_code ignored;
+    fs::remove(path, ignored);
+  }
+};
+
+std::string trimmedEnd(std::string text) {
+  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
+  return text;
+}
+
+/// As system(3) does: the terminal's signals are the program's that is waited for.
+struct TerminalSignalsIgnored {
+  struct sigaction before_int {
+  }, before_quit{};
+  TerminalSignalsIgnored() {
+    struct sigaction ignore {};
+    ignore.sa_handler = SIG_IGN;
+    ::sigaction(SIGINT, &ignore, &before_int);
+    ::sigaction(SIGQUIT, &ignore, &before_quit);
+  }
+  ~TerminalSignalsIgnored() {
+    ::sigaction(SIGINT, &before_int, nullptr);
+    ::sigaction(SIGQUIT, &before_quit, nullptr);
+  }
+};
+
+}  // namespace
+
+Called call(std::vector<std::string> argv, double limit_s) {
+  Called called;
+  const std::string name = argv[0];
+  argv[0] = batch::findInPath(name).string();
+  if ((called.missing = argv[0].empty())) return called;
+  const TemporaryFile printed;
+  batch::Process process(argv, printed.path);
+  std::optional<batch::ProcessEnd> end;
+  while (!(end = process.poll())) {
+    if (process.elapsed_s() > limit_s) {
+      called.error = fmt::format("no answer in {} s", limit_s);
+      return called;
+    }
+    batch::waitForAny({&process}, std::chrono::milliseconds(100));
+  }
+  called.ok = end->signal == 0 && end->exit_code == 0;
+  called.out = io::readWhole(printed.path);
+  called.error = trimmedEnd(end->last_words);
+  if (!called.ok && called.error.empty()) called.error = batch::describe(*end);
+  return called;
+}
+
+void callInForeground(const std::vector<std::string>& argv) {
+  std::vector<char*> pointers;
+  pointers.reserve(argv.size() + 1);
+  for (const std::string& a : argv) pointers.push_back(const_cast<char*>(a.c_str()));
+  pointers.push_back(nullptr);
+  const pid_t parent = ::getpid();
+  const pid_t pid = ::fork();
+  if (pid < 0) throw core::Error(fmt::format("cannot start {}: {}", argv[0], std::strerror(errno)));
+  if (pid == 0) {
+    ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // it is not to go on alone
+    if (::getppid() != parent) ::_exit(127);
+    ::execvp(pointers[0], pointers.data());
+    ::_exit(127);
+  }
+  const TerminalSignalsIgnored ignored;
+  while (::waitpid(pid, nullptr, 0) < 0 && errno == EINTR) {
+  }
+}
+
+}  // namespace ariadne::cluster
