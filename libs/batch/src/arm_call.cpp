@@ -17,6 +17,14 @@ std::string fileOr(const std::string& value, const fs::path& folder) {
   return !value.empty() && fs::is_regular_file(path, ignored) ? path.string() : value;
 }
 
+/// A value with a slash is meant as a file: without it every run would fail, not the plan.
+void checkValue(const Factor& factor, const std::string& value, const fs::path& folder) {
+  std::error_code ignored;
+  if (value.find('/') == std::string::npos || fs::exists(value, ignored)) return;
+  throw core::UsageError(fmt::format("{}: [factor.{}] values: there is no file {} (from {})",
+                                     factor.where, factor.name, value, folder.string()));
+}
+
 }  // namespace
 
 ArmCall callOf(const Experiment& x, const Arm& arm, const Combination& values) {
@@ -29,6 +37,7 @@ ArmCall callOf(const Experiment& x, const Arm& arm, const Combination& values) {
     call.settings.push_back(s.key + "=" + fileOr(s.value, folder));
   for (std::size_t i = 0; i < values.size(); ++i) {
     const std::string value = fileOr(values[i], folder);
+    checkValue(x.factors[i], value, folder);
     const std::string& key = x.factors[i].key;
     if (key[0] == '-') {
       call.args.push_back(key);
