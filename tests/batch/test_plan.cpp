@@ -92,7 +92,7 @@ TEST_F(Planning, ErrorsNameWhatIsMissing) {
   EXPECT_NE(message().find("none.ini: there is no file"), std::string::npos) << message();
   writeExperiment(arm + "program = ./program.sh\ndataset = none.rawlog\n");
   EXPECT_NE(message().find("none.rawlog: there is no file"), std::string::npos) << message();
-  writeExperiment("[factor.w]\nkey = --world\nvalues = a, none/x.world\n");
+  writeExperiment("[factor.w]\nkey = --world\nvalues = none/x.world\n");
   EXPECT_NE(message().find("[factor.w] values: there is no file none/x.world"), std::string::npos)
       << message();
   writeExperiment("[seeds]\nfirst = 0\nlast = 999999999\n");
