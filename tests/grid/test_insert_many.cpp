@@ -148,7 +148,7 @@ TEST(InsertMany, TilesThatDoNotChangeStayShared) {
   const OccupancyGrid saturated =
       oneByOne(OccupancyGrid(), std::vector<PlacedScan>(40, {&shape, {0, 0, 0}}));
   const OccupancyGrid again = atOnce(saturated, std::vector<PlacedScan>(40, {&shape, {0, 0, 0}}));
-  saturated.cells().forEachTile(
+  saturated.cells().forEachPacked(
       [&](int tx, int ty, const auto& tile) { EXPECT_EQ(again.cells().tile(tx, ty), &tile); });
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 using grid::CellBox;
 using grid::kTileCells;
-using Plane = grid::TiledPlane<std::int8_t>;
+using Plane = grid::EvidencePlane;
 
 const double kLn2 = std::log(2.0);
 
@@ -31,12 +31,12 @@ struct TileSum {
 };
 
 /// Cells of `part`, in the tile's own coordinates.
-TileSum sumOf(const Plane::Tile& tile, const CellBox& part) {
+TileSum sumOf(const Plane::Cells& cells, const CellBox& part) {
   const auto& table = entropyTable();
   TileSum sum;
   for (int y = part.y0; y < part.y1; ++y)
     for (int x = part.x0; x < part.x1; ++x) {
-      const std::int8_t l = tile[Plane::offset(x, y)];
+      const std::int8_t l = cells[grid::tileOffset(x, y)];
       sum.known += table[static_cast<std::uint8_t>(l)];
       sum.unknown += l == 0;
     }
@@ -44,7 +44,7 @@ TileSum sumOf(const Plane::Tile& tile, const CellBox& part) {
 }
 
 /// Sums of whole tiles, by address: particles share most of theirs.
-using Cache = std::unordered_map<const Plane::Tile*, TileSum>;
+using Cache = std::unordered_map<const grid::EvidenceTile*, TileSum>;
 
 double entropyOf(const grid::OccupancyGrid& map, const CountedCells& cells, Cache& cache) {
   double known = 0;
@@ -52,7 +52,7 @@ double entropyOf(const grid::OccupancyGrid& map, const CountedCells& cells, Cach
   if (cells.box && !cells.box->empty())
     unknown =
         (double{1} * cells.box->x1 - cells.box->x0) * (double{1} * cells.box->y1 - cells.box->y0);
-  map.cells().forEachTile([&](int tx, int ty, const Plane::Tile& tile) {
+  map.cells().forEachPacked([&](int tx, int ty, const grid::EvidenceTile& tile) {
     CellBox part{0, 0, kTileCells, kTileCells};
     if (cells.box) {
       const int x = tx * kTileCells;
@@ -67,10 +67,10 @@ double entropyOf(const grid::OccupancyGrid& map, const CountedCells& cells, Cach
     TileSum sum;
     if (count == kTileCells * kTileCells) {
       const auto [found, is_new] = cache.try_emplace(&tile);
-      if (is_new) found->second = sumOf(tile, part);
+      if (is_new) found->second = sumOf(map.cells().cellsOf(tile), part);
       sum = found->second;
     } else {
-      sum = sumOf(tile, part);
+      sum = sumOf(map.cells().cellsOf(tile), part);
     }
     known += sum.known;
     unknown -= count - sum.unknown;
@@ -92,12 +92,12 @@ double mapEntropy(const grid::OccupancyGrid& map, const CountedCells& cells) {
   return entropyOf(map, cells, cache);
 }
 
-double tileEntropy(const Plane::Tile& tile) {
+double tileEntropy(const Plane::Cells& cells) {
   const auto& table = entropyTable();
   // Four sums that do not wait for each other: three times as quick as one.
   std::array<double, 4> sums{};
-  for (std::size_t i = 0; i < tile.size(); i += 4)
-    for (std::size_t j = 0; j < 4; ++j) sums[j] += table[static_cast<std::uint8_t>(tile[i + j])];
+  for (std::size_t i = 0; i < cells.size(); i += 4)
+    for (std::size_t j = 0; j < 4; ++j) sums[j] += table[static_cast<std::uint8_t>(cells[i + j])];
   return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 

@@ -48,13 +48,12 @@ COccupancyGridMap2D toMrpt(const OccupancyGrid& grid) {
   const double r = grid.resolution();
   PlacedGrid out({grid.origin().x + box.x0 * r, grid.origin().y + box.y0 * r},
                  static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), r);
-  grid.cells().forEachTile([&](int tx, int ty, const TiledPlane<std::int8_t>::Tile& tile) {
+  grid.cells().forEachTile([&](int tx, int ty, const EvidencePlane::Cells& cells) {
     const int x0 = std::max(tx * kTileCells, box.x0);
     const int x1 = std::min((tx + 1) * kTileCells, box.x1);
     const int y1 = std::min((ty + 1) * kTileCells, box.y1);
     for (int y = std::max(ty * kTileCells, box.y0); y < y1 && x0 < x1; ++y)
-      std::copy_n(&tile[TiledPlane<std::int8_t>::offset(x0, y)], x1 - x0,
-                  out.getRow(y - box.y0) + (x0 - box.x0));
+      std::copy_n(&cells[tileOffset(x0, y)], x1 - x0, out.getRow(y - box.y0) + (x0 - box.x0));
   });
   return COccupancyGridMap2D(out);
 }

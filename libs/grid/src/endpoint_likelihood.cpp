@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "ariadne/grid/field_batch.h"
 #include "ariadne/grid/field_sampler.h"
 
 namespace ariadne::grid {
@@ -52,21 +53,20 @@ Eigen::Matrix3d EndpointLikelihood::information(const OccupancyGrid& map,
                                                 const TPose2D& map_from_robot) const {
   if (points.empty()) return Eigen::Matrix3d::Zero();
   double xx = 0, xy = 0, xt = 0, yy = 0, yt = 0, tt = 0;
-  FieldSampler field(map);
-  const double c = std::cos(map_from_robot.phi);
-  const double s = std::sin(map_from_robot.phi);
+  static thread_local FieldBatch field;
+  field.use(map, points);
+  field.turn(map_from_robot.phi);
+  const double* rx = field.offsetX();
+  const double* ry = field.offsetY();
   const double h = field_sigma_m_;
   constexpr int kSides[4][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
-  for (const auto& side : kSides)
-    for (const TPoint2D& p : points) {
-      const double rx = c * p.x - s * p.y;
-      const double ry = s * p.x + c * p.y;
-      const FieldSample f =
-          field.sample(map_from_robot.x + side[0] * h + rx, map_from_robot.y + side[1] * h + ry);
-      const double slope = slope_[static_cast<int>(f.value * 255)];
-      const double gx = slope * f.dx;
-      const double gy = slope * f.dy;
-      const double gt = gy * rx - gx * ry;
+  for (const auto& side : kSides) {
+    field.sample({map_from_robot.x + side[0] * h, map_from_robot.y + side[1] * h});
+    for (std::size_t i = 0; i < field.size(); ++i) {
+      const double slope = slope_[static_cast<int>(field.value()[i] * 255)];
+      const double gx = slope * field.dx()[i];
+      const double gy = slope * field.dy()[i];
+      const double gt = gy * rx[i] - gx * ry[i];
       xx += gx * gx;
       xy += gx * gy;
       xt += gx * gt;
@@ -74,6 +74,7 @@ Eigen::Matrix3d EndpointLikelihood::information(const OccupancyGrid& map,
       yt += gy * gt;
       tt += gt * gt;
     }
+  }
   Eigen::Matrix3d sum;
   sum << xx, xy, xt, xy, yy, yt, xt, yt, tt;
   // Two sides an axis; at distance h a beam's gradient is h / sigma^2, the information 1 / sigma^2.

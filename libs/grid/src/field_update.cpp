@@ -45,8 +45,7 @@ std::vector<Part> partsNear(const std::vector<CellBox>& boxes, int radius) {
 
 }  // namespace
 
-void LikelihoodField::update(const std::vector<CellBox>& changed,
-                             const TiledPlane<std::int8_t>& log_odds) {
+void LikelihoodField::update(const std::vector<CellBox>& changed, const EvidencePlane& log_odds) {
   static thread_local FieldWindow window;
   static const Plane::Tile kNothing{};
   for (const Part& part : partsNear(changed, kernel_->radius())) {
@@ -54,7 +53,7 @@ void LikelihoodField::update(const std::vector<CellBox>& changed,
     const Plane::Tile* now = plane_.tile(part.tx, part.ty);
     if (!now) now = &kNothing;
     const auto size = static_cast<std::size_t>(part.y1 - part.y0) * kTileCells;
-    const int begin = Plane::offset(0, part.y0);
+    const int begin = tileOffset(0, part.y0);
     if (std::memcmp(&(*now)[begin], window.row(part.y0), size) == 0) continue;
     std::memcpy(&plane_.writeTile(part.tx, part.ty)[begin], window.row(part.y0), size);
   }

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "row_lanes.h"
+#include "bits.h"
 
 namespace ariadne::grid {
 namespace {
@@ -21,9 +21,10 @@ void raiseToProduct(std::uint8_t* __restrict out, const std::uint8_t* __restrict
   }
 }
 
-/// to = 255 on the occupied cells.
-void markOccupied(std::uint8_t* __restrict to, const std::int8_t* __restrict cells) {
-  for (int i = 0; i < kTileCells; ++i) to[i] = cells[i] < 0 ? 255 : 0;
+/// to = 255 where a bit is set.
+void mark(std::uint8_t* to, std::uint32_t cells) {
+  std::memset(to, 0, kTileCells);
+  forEachBit(cells, [&](int x) { to[x] = 255; });
 }
 
 /// The cells of the tile `beside` columns of tiles away that are within `radius` columns of the
@@ -36,12 +37,13 @@ std::uint32_t withinReach(int beside, int radius) {
 
 }  // namespace
 
-void FieldWindow::build(const FieldKernel& kernel, const TiledPlane<std::int8_t>& log_odds, int tx,
-                        int ty, int y0, int y1) {
+void FieldWindow::build(const FieldKernel& kernel, const EvidencePlane& log_odds, int tx, int ty,
+                        int y0, int y1) {
   const int r = kernel.radius();
   const int beside = (r + kTileCells - 1) >> kTileBits;  // tiles that reach in from each side
   const std::size_t tiles = 2 * static_cast<std::size_t>(beside) + 1;
   tiles_.assign(tiles, nullptr);
+  rows_.resize(tiles);
   occupied_.resize(tiles_.size() * kTileCells);
   reach_.resize(tiles_.size());
   for (int i = -beside; i <= beside; ++i) reach_[i + beside] = withinReach(i, r);
@@ -63,18 +65,13 @@ void FieldWindow::build(const FieldKernel& kernel, const TiledPlane<std::int8_t>
 /// Whether row y has occupied cells that reach into the window; marks them if so. Most rows have
 /// none.
 bool FieldWindow::findOccupied(int y) {
-  const int row = TiledPlane<std::int8_t>::offset(0, y);
   std::uint32_t any = 0;
-  for (std::size_t i = 0; i < tiles_.size(); ++i)
-    if (tiles_[i]) any |= occupiedOf(tiles_[i]->data() + row) & reach_[i];
-  if (any == 0) return false;
   for (std::size_t i = 0; i < tiles_.size(); ++i) {
-    std::uint8_t* to = &occupied_[i * kTileCells];
-    if (tiles_[i])
-      markOccupied(to, tiles_[i]->data() + row);
-    else
-      std::memset(to, 0, kTileCells);
+    rows_[i] = tiles_[i] ? tiles_[i]->occupiedRow(y & (kTileCells - 1)) & reach_[i] : 0;
+    any |= rows_[i];
   }
+  if (any == 0) return false;
+  for (std::size_t i = 0; i < tiles_.size(); ++i) mark(&occupied_[i * kTileCells], rows_[i]);
   return true;
 }
 

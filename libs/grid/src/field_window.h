@@ -3,6 +3,7 @@
 #pragma once
 #include <vector>
 
+#include "ariadne/grid/evidence_plane.h"
 #include "ariadne/grid/likelihood_field.h"
 
 namespace ariadne::grid {
@@ -10,8 +11,8 @@ namespace ariadne::grid {
 class FieldWindow {
  public:
   /// Rows [y0, y1) of cells, within tile row ty.
-  void build(const FieldKernel& kernel, const TiledPlane<std::int8_t>& log_odds, int tx, int ty,
-             int y0, int y1);
+  void build(const FieldKernel& kernel, const EvidencePlane& log_odds, int tx, int ty, int y0,
+             int y1);
   /// The kTileCells values of row y.
   const std::uint8_t* row(int y) const { return field_[y & (kTileCells - 1)].v; }
 
@@ -19,18 +20,17 @@ class FieldWindow {
   struct alignas(16) Row {
     std::uint8_t v[kTileCells];
   };
-  using Tile = TiledPlane<std::int8_t>::Tile;
-
   bool findOccupied(int y);
   void spread(const FieldKernel& kernel, Row& out) const;
   void combine(const FieldKernel& kernel, int y, Row& out) const;
 
-  int first_row_ = 0;                   // first of spread_
-  std::vector<const Tile*> tiles_;      // of the tile row in work
-  std::vector<std::uint32_t> reach_;    // which columns of each of them are near enough
-  std::vector<std::uint8_t> occupied_;  // 255 on the occupied cells of the row in work
-  std::vector<Row> spread_;             // the field of each row's own occupied cells, at that row
-  std::vector<char> any_;               // whether there are any
+  int first_row_ = 0;                       // first of spread_
+  std::vector<const EvidenceTile*> tiles_;  // of the tile row in work
+  std::vector<std::uint32_t> rows_;         // occupied cells of the row in work, tile by tile
+  std::vector<std::uint32_t> reach_;        // which columns of each of them are near enough
+  std::vector<std::uint8_t> occupied_;      // 255 on the occupied cells of the row in work
+  std::vector<Row> spread_;  // the field of each row's own occupied cells, at that row
+  std::vector<char> any_;    // whether there are any
   Row field_[kTileCells];
 };
 

@@ -57,9 +57,10 @@ class Clearance {
     const int x1 = x0 + width_ + 2 * reach_;
     for (int x = x0; x < x1;) {
       const int end = std::min(x1, ((x >> kTileBits) + 1) * kTileCells);
-      if (const auto* tile = map.cells().tile(x >> kTileBits, y >> kTileBits))
-        for (int i = x; i < end; ++i)
-          free[i - x0] = (*tile)[TiledPlane<std::int8_t>::offset(i, y)] > 0;
+      if (const auto* tile = map.cells().tile(x >> kTileBits, y >> kTileBits)) {
+        const std::uint32_t row = tile->freeRow(y & (kTileCells - 1));
+        for (int i = x; i < end; ++i) free[i - x0] = row >> (i & (kTileCells - 1)) & 1U;
+      }
       x = end;
     }
     return free;

@@ -53,10 +53,10 @@ void LikelihoodField::stamp(Cell cell, int tx, int ty) {
   const auto in = [&](int y) { return kernel_->row(y - cell.y) + (tx * kTileCells - cell.x); };
   int y = y0;
   if (const Plane::Tile* now = plane_.tile(tx, ty))
-    while (y < y1 && !raises(in(y), &(*now)[Plane::offset(0, y)])) ++y;
+    while (y < y1 && !raises(in(y), &(*now)[tileOffset(0, y)])) ++y;
   if (y == y1) return;
   Plane::Tile& out = plane_.writeTile(tx, ty);
-  for (; y < y1; ++y) raise(&out[Plane::offset(0, y)], in(y));
+  for (; y < y1; ++y) raise(&out[tileOffset(0, y)], in(y));
 }
 
 }  // namespace ariadne::grid

@@ -18,6 +18,7 @@ const GridParams& validated(const GridParams& params) {
 OccupancyGrid::OccupancyGrid(const GridParams& params)
     : resolution_(validated(params).resolution_m),
       evidence_(beamEvidence(params)),
+      cells_(evidence_.free),
       field_(params.field_sigma_m / params.resolution_m) {}
 
 Cell OccupancyGrid::cellOf(const mrpt::math::TPoint2D& p) const {
@@ -39,7 +40,7 @@ void OccupancyGrid::set(Cell c, std::int8_t log_odds) {
 CellBox OccupancyGrid::knownBox() const {
   constexpr int kFar = std::numeric_limits<int>::max();
   CellBox box{kFar, kFar, -kFar, -kFar};
-  cells_.forEachTile([&](int tx, int ty, const TiledPlane<std::int8_t>::Tile& tile) {
+  cells_.forEachTile([&](int tx, int ty, const EvidencePlane::Cells& tile) {
     for (int i = 0; i < static_cast<int>(tile.size()); ++i) {
       if (tile[i] == 0) continue;
       const int x = tx * kTileCells + i % kTileCells;

@@ -23,25 +23,11 @@ inline std::uint32_t occupiedOf(const std::int8_t* row) {
          static_cast<std::uint32_t>(_mm_movemask_epi8(_mm_load_si128(p + 1))) << 16;
 }
 
-/// True when all cells of the row hold `value`.
-inline bool allAre(const std::int8_t* row, std::int8_t value) {
-  const auto* p = reinterpret_cast<const __m128i*>(row);
-  const __m128i v = _mm_set1_epi8(value);
-  return _mm_movemask_epi8(_mm_and_si128(_mm_cmpeq_epi8(_mm_load_si128(p), v),
-                                         _mm_cmpeq_epi8(_mm_load_si128(p + 1), v))) == 0xFFFF;
-}
-
 /// Adds one amount to cells of a row.
 class FreeLanes {
  public:
   explicit FreeLanes(std::int8_t amount) : amount_(_mm_set1_epi8(amount)) {}
 
-  /// Whether any of the cells would change; nothing is written yet, since a write may copy a tile.
-  bool changes(const std::int8_t* row, std::uint32_t cells) const {
-    const Sums s(row, cells, amount_);
-    return _mm_movemask_epi8(_mm_and_si128(_mm_cmpeq_epi8(s.before0, s.after0),
-                                           _mm_cmpeq_epi8(s.before1, s.after1))) != 0xFFFF;
-  }
   /// Adds. Bit i of the result: cell i went from occupied to not occupied.
   std::uint32_t add(std::int8_t* row, std::uint32_t cells) const {
     const Sums s(row, cells, amount_);
@@ -81,20 +67,9 @@ inline std::uint32_t occupiedOf(const std::int8_t* row) {
   return occupied;
 }
 
-inline bool allAre(const std::int8_t* row, std::int8_t value) {
-  bool all = true;
-  for (int i = 0; i < kTileCells; ++i) all &= row[i] == value;
-  return all;
-}
-
 class FreeLanes {
  public:
   explicit FreeLanes(std::int8_t amount) : amount_(amount) {}
-  bool changes(const std::int8_t* row, std::uint32_t cells) const {
-    for (int i = 0; i < kTileCells; ++i)
-      if ((cells >> i & 1U) != 0 && added(row[i]) != row[i]) return true;
-    return false;
-  }
   std::uint32_t add(std::int8_t* row, std::uint32_t cells) const {
     const std::uint32_t before = occupiedOf(row);
     for (int i = 0; i < kTileCells; ++i)
@@ -111,12 +86,5 @@ class FreeLanes {
 };
 
 #endif
-
-/// True when all cells of the tile hold `value`.
-inline bool holdsOnly(const std::int8_t* tile, std::int8_t value) {
-  int y = 0;
-  while (y < kTileCells && allAre(tile + TiledPlane<std::int8_t>::offset(0, y), value)) ++y;
-  return y == kTileCells;
-}
 
 }  // namespace ariadne::grid

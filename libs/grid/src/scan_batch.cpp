@@ -14,18 +14,17 @@ CellBox joined(const CellBox& a, const CellBox& b) {
   return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
 }
 
-/// Box of the cells that are occupied in one of two tiles only.
-BoxOfBits occupancyChange(const std::int8_t* before, const std::int8_t* after) {
+/// Box of the cells that are occupied before or after only.
+BoxOfBits occupancyChange(const EvidenceTile* before, const EvidencePlane::Cells& after) {
   BoxOfBits box;
   for (int y = 0; y < kTileCells; ++y)
-    box.add(y, (before ? occupiedOf(before + TiledPlane<std::int8_t>::offset(0, y)) : 0) ^
-                   occupiedOf(after + TiledPlane<std::int8_t>::offset(0, y)));
+    box.add(y, (before ? before->occupiedRow(y) : 0) ^ occupiedOf(&after[tileOffset(0, y)]));
   return box;
 }
 
 }  // namespace
 
-void ScanBatch::begin(const Plane& cells, BeamEvidence evidence) {
+void ScanBatch::begin(const EvidencePlane& cells, BeamEvidence evidence) {
   plane_ = &cells;
   evidence_ = evidence;
   box_ = {};
@@ -66,7 +65,7 @@ ScanBatch::OpenTile& ScanBatch::tileAt(int tx, int ty) {
     OpenTile& tile = tiles_[i];
     tile.before = plane_->tile(tx, ty);
     if (tile.before)
-      tile.cells = *tile.before;
+      tile.cells = plane_->cellsOf(*tile.before);
     else
       tile.cells.fill(0);
     tile.counts = {};
@@ -105,7 +104,7 @@ void ScanBatch::hit(Cell cell) {
     count |= static_cast<int>(row >> x & 1U) << k;
     row &= ~(1U << x);
   }
-  std::int8_t& value = tile.cells[Plane::offset(x, y)];
+  std::int8_t& value = tile.cells[tileOffset(x, y)];
   const int before = std::min(value + count * evidence_.free, int{kMostFree});
   value = static_cast<std::int8_t>(std::max(before - evidence_.occupied, int{kMostOccupied}));
 }
@@ -123,26 +122,21 @@ void ScanBatch::settle(OpenTile& tile) const {
       const FreeLanes lanes(static_cast<std::int8_t>(std::min(amount, int{kMostFree})));
       for (int y = 0; y < kTileCells; ++y)
         if (const std::uint32_t cells = tile.counts[y / 4].planes[k][y % 4])
-          lanes.add(&tile.cells[TiledPlane<std::int8_t>::offset(0, y)], cells);
+          lanes.add(&tile.cells[tileOffset(0, y)], cells);
     }
   }
   tile.counts = {};
   tile.counted = 0;
 }
 
-void ScanBatch::finish(Plane& cells, std::vector<CellBox>& changed) {
+void ScanBatch::finish(EvidencePlane& cells, std::vector<CellBox>& changed) {
   for (std::uint32_t i = 1; i < used_; ++i) {
     OpenTile& tile = tiles_[i];
     settle(tile);
-    const std::int8_t* before = tile.before ? tile.before->data() : nullptr;
-    const std::int8_t* after = tile.cells.data();
-    if (before && std::memcmp(before, after, tile.cells.size()) == 0) continue;
-    const BoxOfBits box = occupancyChange(before, after);
+    if (tile.before && cells.cellsOf(*tile.before) == tile.cells) continue;
+    const BoxOfBits box = occupancyChange(tile.before, tile.cells);
     if (!box.empty()) changed.push_back(box.inTile(tile.tx, tile.ty));
-    if (holdsOnly(after, after[0]))
-      cells.setUniform(tile.tx, tile.ty, after[0]);
-    else
-      cells.setTile(tile.tx, tile.ty, tile.cells);
+    cells.setCells(tile.tx, tile.ty, tile.cells);
   }
   begin(cells, evidence_);
 }

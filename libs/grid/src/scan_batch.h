@@ -4,8 +4,8 @@
 #pragma once
 #include <vector>
 
+#include "ariadne/grid/evidence_plane.h"
 #include "ariadne/grid/log_odds.h"
-#include "ariadne/grid/tiled_plane.h"
 #include "scan_raster.h"
 
 namespace ariadne::grid {
@@ -16,30 +16,29 @@ class ScanBatch {
   static constexpr std::size_t kMostTiles = 1 << 20;
 
   /// Starts anew on a plane, which must not change until finish().
-  void begin(const TiledPlane<std::int8_t>& cells, BeamEvidence evidence);
+  void begin(const EvidencePlane& cells, BeamEvidence evidence);
   /// Counts one scan. False, and nothing done, when the batch would span over kMostTiles with it
   /// and holds others already.
   bool add(const ScanRaster& scan);
   /// Writes what changed to the plane that begin() was given. Tiles that hold what they held stay
   /// shared. Appends, tile by tile, the box of the cells that turned occupied or ceased to be.
-  void finish(TiledPlane<std::int8_t>& cells, std::vector<CellBox>& changed);
+  void finish(EvidencePlane& cells, std::vector<CellBox>& changed);
 
  private:
   static constexpr int kPlanes = 5;
   static constexpr int kMostCounted = (1 << kPlanes) - 1;
-  using Plane = TiledPlane<std::int8_t>;
 
   /// Four rows' bits of each plane: one register each, and all that a hit cell needs in 80 bytes.
   struct alignas(16) RowCounts {
     std::uint32_t planes[kPlanes][4];
   };
   struct OpenTile {
-    alignas(16) Plane::Tile cells;  // before the counted scans
+    alignas(16) EvidencePlane::Cells cells;  // before the counted scans
     std::array<RowCounts, kTileCells / 4> counts;
     int counted = 0;
     int tx = 0;
     int ty = 0;
-    const Plane::Tile* before = nullptr;
+    const EvidenceTile* before = nullptr;
   };
 
   bool cover(const CellBox& box);
@@ -48,7 +47,7 @@ class ScanBatch {
   void hit(Cell cell);
   void settle(OpenTile& tile) const;
 
-  const Plane* plane_ = nullptr;
+  const EvidencePlane* plane_ = nullptr;
   BeamEvidence evidence_;
   CellBox box_;                       // of the index, in tile coordinates
   std::vector<std::uint32_t> index_;  // open tile, 0 for none

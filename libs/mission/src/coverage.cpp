@@ -63,14 +63,16 @@ double coverage(const sim::World& world, const OccupancyGrid& seeable,
   std::size_t free = 0;
   std::size_t known = 0;
   seeable.cells().forEachTile([&](int tx, int ty, const auto& tile) {
-    const auto* other = sighted.cells().tile(tx, ty);
+    const auto* packed = sighted.cells().tile(tx, ty);
+    grid::EvidencePlane::Cells other{};
+    if (packed) other = sighted.cells().cellsOf(*packed);
     for (int i = 0; i < static_cast<int>(tile.size()); ++i) {
       if (tile[i] <= 0) continue;
       const auto at = seeable.centreOf({tx * grid::kTileCells + i % grid::kTileCells,
                                         ty * grid::kTileCells + i / grid::kTileCells});
       if (world.map.getPos(static_cast<float>(at.x), static_cast<float>(at.y)) < 0.9F) continue;
       ++free;
-      known += other && (*other)[i] != 0;
+      known += other[i] != 0;
     }
   });
   return free > 0 ? static_cast<double>(known) / static_cast<double>(free) : 1;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "ariadne/grid/endpoint_likelihood.h"
-#include "ariadne/grid/field_sampler.h"
+#include "ariadne/grid/field_batch.h"
 #include "ariadne/models/motion_model.h"
 
 namespace ariadne::models {
@@ -24,7 +24,15 @@ TPose2D moved(const TPose2D& pose, const Eigen::Vector3d& by) {
 
 }  // namespace
 
+/// Buffers that a thread keeps from match to match.
+struct ScanMatcher::Scratch {
+  grid::FieldBatch all;
+  grid::FieldBatch some;  // for the search
+  std::vector<TPoint2D> some_points;
+};
+
 struct ScanMatcher::Problem {
+  Scratch& scratch;
   const grid::OccupancyGrid& map;
   const std::vector<TPoint2D>& points;
   TPose2D predicted;
@@ -52,27 +60,29 @@ template <class Candidate, class Problem>
 Candidate linearised(const Problem& problem, const TPose2D& pose) {
   Candidate out;
   out.pose = pose;
-  grid::FieldSampler field(problem.map);
-  const double c = std::cos(pose.phi);
-  const double s = std::sin(pose.phi);
+  grid::FieldBatch& field = problem.scratch.all;
+  field.turn(pose.phi);
+  field.sample({pose.x, pose.y});
+  const double* value = field.value();
+  const double* dx = field.dx();
+  const double* dy = field.dy();
+  const double* rx = field.offsetX();
+  const double* ry = field.offsetY();
   double squares = 0;
   double h00 = 0, h01 = 0, h02 = 0, h11 = 0, h12 = 0, h22 = 0, g0 = 0, g1 = 0, g2 = 0;
-  for (const TPoint2D& p : problem.points) {
-    const double rx = c * p.x - s * p.y;
-    const double ry = s * p.x + c * p.y;
-    const grid::FieldSample f = field.sample(pose.x + rx, pose.y + ry);
-    const double residual = 1 - f.value;
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    const double residual = 1 - value[i];
     squares += residual * residual;
-    out.score += f.value;
-    const double turn = -f.dx * ry + f.dy * rx;
-    h00 += f.dx * f.dx;
-    h01 += f.dx * f.dy;
-    h02 += f.dx * turn;
-    h11 += f.dy * f.dy;
-    h12 += f.dy * turn;
+    out.score += value[i];
+    const double turn = -dx[i] * ry[i] + dy[i] * rx[i];
+    h00 += dx[i] * dx[i];
+    h01 += dx[i] * dy[i];
+    h02 += dx[i] * turn;
+    h11 += dy[i] * dy[i];
+    h12 += dy[i] * turn;
     h22 += turn * turn;
-    g0 -= f.dx * residual;
-    g1 -= f.dy * residual;
+    g0 -= dx[i] * residual;
+    g1 -= dy[i] * residual;
     g2 -= turn * residual;
   }
   const double w = problem.beam_weight;
@@ -83,15 +93,6 @@ Candidate linearised(const Problem& problem, const TPose2D& pose) {
   out.gradient = w * Eigen::Vector3d(g0, g1, g2) + problem.information * d;
   out.cost = 0.5 * w * squares + problem.priorCost(pose);
   return out;
-}
-
-/// Mean field of every `stride`-th beam: quick and rough, for the search.
-double roughScore(const grid::OccupancyGrid& map, const std::vector<TPoint2D>& rotated,
-                  const TPoint2D& at) {
-  grid::FieldSampler field(map);
-  double sum = 0;
-  for (const TPoint2D& p : rotated) sum += field.value(at.x + p.x, at.y + p.y);
-  return sum / (255.0 * static_cast<double>(rotated.size()));
 }
 
 }  // namespace
@@ -115,7 +116,6 @@ ScanMatcher::Candidate ScanMatcher::climb(const Problem& problem, Candidate at) 
 }
 
 TPose2D ScanMatcher::search(const Problem& problem, double distance_m) const {
-  std::vector<TPoint2D> rotated;
   TPose2D best_pose = problem.predicted;
   double best = -1e300;
   const double turn_step = mrpt::DEG2RAD(2.0);
@@ -123,23 +123,25 @@ TPose2D ScanMatcher::search(const Problem& problem, double distance_m) const {
   const int turns =
       static_cast<int>(std::floor(mrpt::DEG2RAD(params_.search_angle_deg) / turn_step));
   const int moves = static_cast<int>(std::floor(distance_m / move_step));
+  // Every so many beams: quick and rough.
   const std::size_t stride = std::max<std::size_t>(1, problem.points.size() / 60);
+  std::vector<TPoint2D>& some = problem.scratch.some_points;
+  some.clear();
+  for (std::size_t i = 0; i < problem.points.size(); i += stride) some.push_back(problem.points[i]);
+  grid::FieldBatch& field = problem.scratch.some;
+  field.use(problem.map, some);
   for (int k = -turns; k <= turns; ++k) {
     const double heading = problem.predicted.phi + k * turn_step;
-    const double c = std::cos(heading);
-    const double s = std::sin(heading);
-    rotated.clear();
-    for (std::size_t i = 0; i < problem.points.size(); i += stride) {
-      const TPoint2D& p = problem.points[i];
-      rotated.push_back({c * p.x - s * p.y, s * p.x + c * p.y});
-    }
+    field.turn(heading);
     for (int dx = -moves; dx <= moves; ++dx)
       for (int dy = -moves; dy <= moves; ++dy) {
         const TPose2D pose{problem.predicted.x + dx * move_step,
                            problem.predicted.y + dy * move_step, heading};
-        const double value = problem.beam_weight * static_cast<double>(problem.points.size()) *
-                                 roughScore(problem.map, rotated, {pose.x, pose.y}) -
-                             problem.priorCost(pose);
+        const double score =
+            field.sum({pose.x, pose.y}) / (255.0 * static_cast<double>(some.size()));
+        const double value =
+            problem.beam_weight * static_cast<double>(problem.points.size()) * score -
+            problem.priorCost(pose);
         if (value > best) {
           best = value;
           best_pose = pose;
@@ -152,8 +154,12 @@ TPose2D ScanMatcher::search(const Problem& problem, double distance_m) const {
 Match ScanMatcher::operator()(const grid::OccupancyGrid& map, const std::vector<TPoint2D>& points,
                               const TPose2D& predicted, const Eigen::Matrix3d& prior) const {
   if (points.empty()) return {predicted, false, 0};
-  const Problem problem{map, points, predicted, prior.inverse(),
-                        gain_ * grid::kNominalBeams / static_cast<double>(points.size())};
+  static thread_local Scratch scratch;
+  scratch.all.use(map, points);
+  const Problem problem{
+      scratch,         map,
+      points,          predicted,
+      prior.inverse(), gain_ * grid::kNominalBeams / static_cast<double>(points.size())};
   const Candidate start = linearised<Candidate>(problem, predicted);
   Candidate best = climb(problem, start);
   const auto tryFrom = [&](const TPose2D& pose) {

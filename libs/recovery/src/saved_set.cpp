@@ -14,16 +14,18 @@ std::size_t SavedSet::distinctAncestors() const {
 
 std::size_t SavedSet::mapBytes() const {
   std::unordered_set<const void*> tiles;
+  std::size_t bytes = 0;
   std::unordered_set<const filter::Checkpoint*> seen;
-  const auto count = [&](const auto& plane) {
-    plane.forEachTile([&](int, int, const auto& tile) { tiles.insert(&tile); });
+  const auto count = [&](const auto& tile, std::size_t size) {
+    if (tiles.insert(&tile).second) bytes += size;
   };
   for (const SavedEntry& e : entries) {
     if (!e.checkpoint || !seen.insert(e.checkpoint.get()).second) continue;
-    count(e.checkpoint->map.cells());
-    count(e.checkpoint->map.field());
+    const grid::OccupancyGrid& map = e.checkpoint->map;
+    map.cells().forEachPacked([&](int, int, const auto& tile) { count(tile, tile.bytes()); });
+    map.field().forEachTile([&](int, int, const auto& tile) { count(tile, sizeof(tile)); });
   }
-  return tiles.size() * grid::kTileCells * grid::kTileCells;
+  return bytes;
 }
 
 SavedSet save(const filter::ParticleSet& particles, const std::vector<topology::PlaceGraph>& graphs,

@@ -20,7 +20,7 @@ double RunningEntropy::of(const grid::OccupancyGrid& map) {
       if (before && tile == before_.cells().tile(x, y))
         tiles.push_back(*before);
       else
-        tiles.push_back(tile ? eval::tileEntropy(*tile) : 0);
+        tiles.push_back(tile ? eval::tileEntropy(map.cells().cellsOf(*tile)) : 0);
     }
   before_ = map;
   box_ = box;

@@ -24,7 +24,7 @@ double mapEntropy(const grid::OccupancyGrid& map, const CountedCells& cells = {}
 
 /// The part of mapEntropy() (without a box) that one tile makes: for sums that are kept up to date
 /// tile by tile.
-double tileEntropy(const grid::TiledPlane<std::int8_t>::Tile& tile);
+double tileEntropy(const grid::EvidencePlane::Cells& cells);
 
 /// As mapEntropy() for each (not null); tiles that the maps share are summed once.
 std::vector<double> mapEntropies(const std::vector<const grid::OccupancyGrid*>& maps,

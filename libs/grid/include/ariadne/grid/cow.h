@@ -3,7 +3,10 @@
 // step, cheap.
 #pragma once
 #include <atomic>
+#include <cstddef>
 #include <utility>
+
+#include "ariadne/grid/tile_pool.h"
 
 namespace ariadne::grid {
 
@@ -54,6 +57,8 @@ class Cow {
   struct Node {
     Node() = default;
     explicit Node(const T& v) : value(v) {}
+    static void* operator new(std::size_t bytes) { return TilePool::take(bytes); }
+    static void operator delete(void* memory, std::size_t bytes) { TilePool::give(memory, bytes); }
     alignas(16) T value{};  // rows are read sixteen cells at a time
     std::atomic<long> holders{1};
   };

@@ -69,7 +69,7 @@ class FieldSampler {
     constexpr int kLast = kTileCells - 1;
     if ((ix & kLast) != kLast && (iy & kLast) != kLast) {
       if (const Plane::Tile* t = tile(ix >> kTileBits, iy >> kTileBits)) {
-        const std::uint8_t* p = &(*t)[Plane::offset(ix, iy)];
+        const std::uint8_t* p = &(*t)[tileOffset(ix, iy)];
         c.v00 = p[0];
         c.v10 = p[1];
         c.v01 = p[kTileCells];

@@ -11,6 +11,7 @@
 #include <memory>
 #include <vector>
 
+#include "ariadne/grid/evidence_plane.h"
 #include "ariadne/grid/tiled_plane.h"
 
 namespace ariadne::grid {
@@ -56,7 +57,7 @@ class LikelihoodField {
   /// Cell (x, y) turned occupied.
   void occupy(Cell cell);
   /// Any cells in these boxes turned occupied or ceased to be; `log_odds` is the map after it all.
-  void update(const std::vector<CellBox>& changed, const TiledPlane<std::int8_t>& log_odds);
+  void update(const std::vector<CellBox>& changed, const EvidencePlane& log_odds);
   void clear() { plane_.clear(); }
 
  private:

@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "ariadne/grid/evidence_plane.h"
 #include "ariadne/grid/likelihood_field.h"
 #include "ariadne/grid/log_odds.h"
 #include "ariadne/grid/scan_shape.h"
@@ -33,7 +34,7 @@ class OccupancyGrid {
   std::int8_t at(Cell c) const { return cells_.at(c.x, c.y); }
   /// 0..255, 255 on an occupied cell.
   std::uint8_t fieldAt(Cell c) const { return field_.at(c.x, c.y); }
-  const TiledPlane<std::int8_t>& cells() const { return cells_; }
+  const EvidencePlane& cells() const { return cells_; }
   const TiledPlane<std::uint8_t>& field() const { return field_.plane(); }
 
   /// Inserts a scan: every cell inside the outline gets the evidence for free once, every cell that
@@ -58,7 +59,7 @@ class OccupancyGrid {
   double resolution_;
   mrpt::math::TPoint2D origin_{0, 0};
   BeamEvidence evidence_;
-  TiledPlane<std::int8_t> cells_;
+  EvidencePlane cells_;
   LikelihoodField field_;
 };
 

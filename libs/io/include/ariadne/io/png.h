@@ -11,8 +11,7 @@ struct Picture {
   enum class Format {
     gray,          ///< one byte a pixel
     cairo_rgb,     ///< CAIRO_FORMAT_RGB24 of a little-endian machine: blue, green, red, unused
-    two_bit_gray,  ///< four pixels a byte, the first in the highest bits; compressed as far as it
-                   ///< goes
+    two_bit_gray,  ///< four pixels a byte, the first in the highest bits; compressed well
   };
   std::uint32_t width = 0;
   std::uint32_t height = 0;

@@ -31,6 +31,7 @@ class ScanMatcher {
                    const mrpt::math::TPose2D& predicted, const Eigen::Matrix3d& prior) const;
 
  private:
+  struct Scratch;
   struct Problem;
   struct Candidate;
   Candidate climb(const Problem& problem, Candidate from) const;

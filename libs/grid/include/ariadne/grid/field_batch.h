@@ -1,0 +1,50 @@
+// Reads the likelihood field at all points of a scan at once, bilinearly, as FieldSampler does
+// point by point and to the same bits. The loops are plain and apart (where, which cells, how
+// much), so that the compiler uses lanes: two fifths of a filter's time were these reads.
+#pragma once
+#include <mrpt/math/TPoint2D.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "ariadne/grid/occupancy_grid.h"
+
+namespace ariadne::grid {
+
+/// Buffers for one thread, kept from scan to scan.
+class FieldBatch {
+ public:
+  /// The map to read from now on; it must not change meanwhile. Poses that differ by less than a
+  /// cell read the same cells, which are then not looked up again.
+  void use(const OccupancyGrid& map, const std::vector<mrpt::math::TPoint2D>& points);
+  /// Turns the points (m, robot's frame) into the map's directions: their offsets, m.
+  void turn(double heading);
+  std::size_t size() const { return points_->size(); }
+  const double* offsetX() const { return offset_x_.data(); }
+  const double* offsetY() const { return offset_y_.data(); }
+
+  /// Reads the field at `at` + offset for each point: value() in [0, 1] and gradient, 1/m.
+  void sample(const mrpt::math::TPoint2D& at);
+  const double* value() const { return value_.data(); }
+  const double* dx() const { return dx_.data(); }
+  const double* dy() const { return dy_.data(); }
+
+  /// The sum of the field, 0 to 255 each, over the points at `at` + offset, in their order.
+  double sum(const mrpt::math::TPoint2D& at);
+
+ private:
+  void findCorners(const mrpt::math::TPoint2D& at);
+  void readCorners();
+
+  const OccupancyGrid* map_ = nullptr;
+  const std::vector<mrpt::math::TPoint2D>* points_ = nullptr;
+  // All are as long as the points, or longer by one: work is done in pairs.
+  std::vector<double> offset_x_, offset_y_;
+  std::vector<std::int64_t> cells_, new_cells_;  // x in the high half, y in the low one
+  std::vector<double> in_x_, in_y_;              // within the cell, 0..1
+  std::vector<std::uint32_t> corners_;           // four bytes: (0, 0), (1, 0), (0, 1), (1, 1)
+  std::vector<std::pair<const std::uint8_t*, std::size_t>> wanted_;  // in memory, for which point
+  std::vector<double> value_, dx_, dy_;
+};
+
+}  // namespace ariadne::grid

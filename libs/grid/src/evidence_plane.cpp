@@ -1,0 +1,78 @@
+#include "ariadne/grid/evidence_plane.h"
+
+#include <algorithm>
+
+#include "free_addition.h"
+#include "tile_packing.h"
+
+namespace ariadne::grid {
+
+std::int8_t EvidencePlane::at(int x, int y) const {
+  const EvidenceTile* t = tile(x >> kTileBits, y >> kTileBits);
+  return t ? t->at(x & (kTileCells - 1), y & (kTileCells - 1), *counts_) : std::int8_t{0};
+}
+
+void EvidencePlane::set(int x, int y, std::int8_t log_odds) {
+  EvidenceTileRef& handle = tiles_.at(x >> kTileBits, y >> kTileBits);
+  const int in_x = x & (kTileCells - 1);
+  const int in_y = y & (kTileCells - 1);
+  const int count = counts_->countOf(log_odds);
+  const int apart_now = handle.get() ? handle.get()->apartCount() : 0;
+  if (count == FreeCounts::kNone) {
+    handle.write(0, apart_now + 1).setApart(in_x, in_y, log_odds);
+    return;
+  }
+  int planes = 0;
+  while (count >> planes != 0) ++planes;
+  EvidenceTile& tile = handle.write(planes, apart_now);
+  if (tile.isApart(in_x, in_y)) tile.dropApart(in_x, in_y);
+  tile.setCount(in_x, in_y, count);
+}
+
+bool EvidencePlane::addHit(int x, int y, std::int8_t occupied) {
+  const std::int8_t before = at(x, y);
+  const int after = std::max(before - occupied, int{kMostOccupied});
+  if (before != after) set(x, y, static_cast<std::int8_t>(after));
+  return before >= 0 && after < 0;
+}
+
+void EvidencePlane::prefetch(int tx, int ty) const {
+  constexpr int kCacheLine = 64;
+  constexpr int kCounts = 16 + 4 * 128;  // what most tiles take
+  if (const auto* memory = reinterpret_cast<const char*>(tile(tx, ty)))
+    for (int i = 0; i < kCounts; i += kCacheLine) __builtin_prefetch(memory + i);
+}
+
+void EvidencePlane::addFree(int tx, int ty, const TileMask& free, std::vector<CellBox>& freed) {
+  const EvidenceTile* now = tile(tx, ty);
+  const bool full = free.full();
+  const int shared = now ? now->sharedCount() : 0;
+  if (full && shared >= 0) {  // no cell is touched
+    const int count = std::min(shared + 1, counts_->most());
+    if (!now || count != shared) tiles_.at(tx, ty) = EvidenceTileRef::shared(count);
+    return;
+  }
+  if (!now) {
+    std::copy(free.rows.begin(), free.rows.end(), tiles_.at(tx, ty).write(1, 0).plane(0));
+    return;
+  }
+  const FreeAddition addition(*now, free, *counts_);
+  if (!addition.changesAny()) return;
+  EvidenceTileRef& handle = tiles_.at(tx, ty);
+  const BoxOfBits box = addition.write(handle);
+  if (!box.empty()) freed.push_back(box.inTile(tx, ty));
+  if (full && holdsOnlyMostFree(*handle.get(), *counts_))
+    handle = EvidenceTileRef::shared(counts_->most());
+}
+
+EvidencePlane::Cells EvidencePlane::cellsOf(const EvidenceTile& tile) const {
+  Cells cells;
+  unpack(tile, *counts_, cells);
+  return cells;
+}
+
+void EvidencePlane::setCells(int tx, int ty, const Cells& cells) {
+  tiles_.at(tx, ty) = pack(cells, *counts_);
+}
+
+}  // namespace ariadne::grid
