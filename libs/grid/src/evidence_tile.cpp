@@ -35,20 +35,13 @@ std::int8_t EvidenceTile::at(int x, int y, const FreeCounts& counts) const {
   return counts.logOdds(count);
 }
 
-std::uint32_t EvidenceTile::freeRow(int y) const {
-  std::uint32_t row = 0;
-  for (int k = 0; k < planes_; ++k) row |= plane(k)[y];
-  if (!hasApart()) return row;
+EvidenceTile::ApartRow EvidenceTile::apartRow(int y) const {
+  ApartRow row;
   const std::int8_t* value = apartValues() + apartBegin()[y];
-  forEachBit(apart()[y], [&](int x) { row |= static_cast<std::uint32_t>(*value++ > 0) << x; });
-  return row;
-}
-
-std::uint32_t EvidenceTile::occupiedRow(int y) const {
-  if (!hasApart()) return 0;
-  std::uint32_t row = 0;
-  const std::int8_t* value = apartValues() + apartBegin()[y];
-  forEachBit(apart()[y], [&](int x) { row |= static_cast<std::uint32_t>(*value++ < 0) << x; });
+  forEachBit(apart()[y], [&](int x) {
+    row.free |= static_cast<std::uint32_t>(*value > 0) << x;
+    row.occupied |= static_cast<std::uint32_t>(*value++ < 0) << x;
+  });
   return row;
 }
 

@@ -1,45 +1,15 @@
 #include "ariadne/grid/field_batch.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "two_doubles.h"
 
 namespace ariadne::grid {
 namespace {
 
 using Plane = TiledPlane<std::uint8_t>;
-using Two = double __attribute__((vector_size(16), aligned(8), may_alias));
-using TwoWords = std::int64_t __attribute__((vector_size(16), aligned(8), may_alias));
-
-/// Where four cells of the field, (0, 0) to (1, 1) from a given one, lie in memory. Remembers the
-/// last tile: neighbouring beams end near each other.
-class CornerFinder {
- public:
-  explicit CornerFinder(const Plane& plane) : plane_(plane) {}
-
-  /// The first of the cells when all are of one tile.
-  const std::uint8_t* operator()(int x, int y) {
-    constexpr int kLast = kTileCells - 1;
-    if ((x & kLast) == kLast || (y & kLast) == kLast) return nullptr;
-    const int tx = x >> kTileBits;
-    const int ty = y >> kTileBits;
-    if (tx != tx_ || ty != ty_ || !tile_) look(tx, ty);
-    return tile_ + tileOffset(x, y);
-  }
-
- private:
-  void look(int tx, int ty) {
-    static const Plane::Tile kNothing{};
-    const Plane::Tile* tile = plane_.tile(tx, ty);
-    tile_ = (tile ? tile : &kNothing)->data();
-    tx_ = tx;
-    ty_ = ty;
-  }
-
-  const Plane& plane_;
-  const std::uint8_t* tile_ = nullptr;
-  int tx_ = 0;
-  int ty_ = 0;
-};
 
 std::uint16_t pair(const std::uint8_t* p) { return static_cast<std::uint16_t>(p[0] | p[1] << 8); }
 
@@ -57,24 +27,19 @@ constexpr std::int64_t kNoCell = std::numeric_limits<std::int64_t>::min();
 
 /// Two coordinates in cells: which cells, in the low halves, and where in them.
 struct TwoPlaces {
-  TwoWords cell;
-  Two within;
+  TwoInts cell;
+  TwoDoubles within;
 };
 
-inline TwoPlaces split(Two u) {
-  constexpr Two kFar = {1e9, 1e9};  // nothing is mapped so far out; it keeps cells within int
-  constexpr Two kOne = {1, 1};
-  // 1.5 * 2^52: what is added to it is rounded to whole numbers, and stands in the low bits.
-  constexpr Two kRounder = {6755399441055744.0, 6755399441055744.0};
-  u = u < kFar ? u : kFar;
-  u = u > -kFar ? u : -kFar;
-  const Two sum = u + kRounder;
-  const Two nearest = sum - kRounder;
-  const TwoWords over = nearest > u;
-  return {reinterpret_cast<const TwoWords&>(sum) + over, u - (over ? nearest - kOne : nearest)};
+/// |u| must be under 2^31.
+inline TwoPlaces split(TwoDoubles u) {
+  constexpr TwoDoubles kOne = {1, 1};
+  TwoInts cell;
+  const TwoDoubles nearest = rounded(u, cell);
+  const TwoInts over = nearest > u;  // -1 where it is
+  const TwoInts one_over = over & reinterpret_cast<const TwoInts&>(kOne);
+  return {cell + over, u - (nearest - reinterpret_cast<const TwoDoubles&>(one_over))};
 }
-
-inline Two& two(double* p) { return *reinterpret_cast<Two*>(p); }
 
 double byteOf(std::uint32_t corners, int i) {
   return static_cast<double>(static_cast<int>(corners >> (8 * i) & 0xFFU));
@@ -86,8 +51,9 @@ void FieldBatch::use(const OccupancyGrid& map, const std::vector<mrpt::math::TPo
   map_ = &map;
   points_ = &points;
   const std::size_t even = (points.size() + 1) / 2 * 2;
-  for (auto* v : {&offset_x_, &offset_y_, &in_x_, &in_y_, &value_, &dx_, &dy_}) v->resize(even);
+  for (auto* v : {&offset_x_, &offset_y_, &in_x_, &in_y_, &value_, &dx_, &dy_}) v->resize(even, 0);
   cells_.assign(even, kNoCell);
+  tiles_.fill({kNoCell, nullptr});
   new_cells_.resize(even);
   corners_.resize(even);
   wanted_.resize(even);
@@ -96,6 +62,7 @@ void FieldBatch::use(const OccupancyGrid& map, const std::vector<mrpt::math::TPo
 void FieldBatch::turn(double heading) {
   const double c = std::cos(heading);
   const double s = std::sin(heading);
+  headed_ = std::isfinite(heading);
   double* __restrict x = offset_x_.data();
   double* __restrict y = offset_y_.data();
   for (const mrpt::math::TPoint2D& p : *points_) {
@@ -106,40 +73,67 @@ void FieldBatch::turn(double heading) {
 
 void FieldBatch::findCorners(const mrpt::math::TPoint2D& at) {
   const double scale = 1 / map_->resolution();
+  const double x0 = (at.x - map_->origin().x) * scale;
+  const double y0 = (at.y - map_->origin().y) * scale;
+  constexpr double kFar = 1e9;  // nothing is mapped so far out; it keeps cells within int
+  if (!(std::abs(x0) < kFar && std::abs(y0) < kFar) || !headed_) {
+    std::fill(corners_.begin(), corners_.end(), 0);
+    std::fill(cells_.begin(), cells_.end(), kNoCell);
+    return;
+  }
   const double shift_x = -map_->origin().x * scale - 0.5;
   const double shift_y = -map_->origin().y * scale - 0.5;
-  constexpr TwoWords kLowHalf = {0xFFFFFFFF, 0xFFFFFFFF};
+  constexpr TwoInts kLowHalf = {0xFFFFFFFF, 0xFFFFFFFF};
   for (std::size_t i = 0; i < cells_.size(); i += 2) {
-    const TwoPlaces x = split((at.x + two(&offset_x_[i])) * scale + shift_x);
-    const TwoPlaces y = split((at.y + two(&offset_y_[i])) * scale + shift_y);
-    *reinterpret_cast<TwoWords*>(&new_cells_[i]) = x.cell << 32 | (y.cell & kLowHalf);
-    two(&in_x_[i]) = x.within;
-    two(&in_y_[i]) = y.within;
+    const TwoPlaces x = split((at.x + twoAt(&offset_x_[i])) * scale + shift_x);
+    const TwoPlaces y = split((at.y + twoAt(&offset_y_[i])) * scale + shift_y);
+    *reinterpret_cast<TwoInts*>(&new_cells_[i]) = x.cell << 32 | (y.cell & kLowHalf);
+    twoAt(&in_x_[i]) = x.within;
+    twoAt(&in_y_[i]) = y.within;
   }
   readCorners();
+}
+
+/// The tile of a cell; one of zeros where there is none.
+const std::uint8_t* FieldBatch::tileOf(std::int64_t cell) {
+  constexpr std::int64_t kInTile = std::int64_t{kTileCells - 1} << 32 | (kTileCells - 1);
+  const int tx = static_cast<int>(cell >> 32) >> kTileBits;
+  const int ty = static_cast<int>(cell) >> kTileBits;
+  KnownTile& known = tiles_[static_cast<std::size_t>(tx ^ ty << 3) % tiles_.size()];
+  if (known.first_cell != (cell & ~kInTile)) {
+    static const Plane::Tile kNothing{};
+    const Plane::Tile* tile = map_->field().tile(tx, ty);
+    known = {cell & ~kInTile, (tile ? tile : &kNothing)->data()};
+  }
+  return known.cells;
 }
 
 /// Other particles have pushed this one's field out of the cache: all that is wanted is named
 /// before any of it is read.
 void FieldBatch::readCorners() {
-  CornerFinder find(map_->field());
-  std::size_t wanted = 0;
-  for (std::size_t i = 0; i < size(); ++i) {
-    const std::int64_t cell = new_cells_[i];
-    if (cell == cells_[i]) continue;
-    cells_[i] = cell;
+  constexpr int kLast = kTileCells - 1;
+  const std::size_t n = size();
+  const std::int64_t* __restrict now = new_cells_.data();
+  std::int64_t* __restrict cells = cells_.data();
+  std::uint32_t* __restrict corners = corners_.data();
+  Wanted* __restrict wanted = wanted_.data();
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::int64_t cell = now[i];
+    if (cell == cells[i]) continue;
+    cells[i] = cell;
     const int x = static_cast<int>(cell >> 32);
     const int y = static_cast<int>(cell);
-    if (const std::uint8_t* p = find(x, y)) {
-      __builtin_prefetch(p);
-      __builtin_prefetch(p + kTileCells);
-      wanted_[wanted++] = {p, i};
-    } else {
-      corners_[i] = cornersAcrossTiles(map_->field(), x, y);
+    if ((x & kLast) == kLast || (y & kLast) == kLast) {
+      corners[i] = cornersAcrossTiles(map_->field(), x, y);
+      continue;
     }
+    const std::uint8_t* p = tileOf(cell) + tileOffset(x, y);
+    __builtin_prefetch(p);
+    __builtin_prefetch(p + kTileCells);
+    wanted[count++] = {p, i};
   }
-  for (std::size_t k = 0; k < wanted; ++k)
-    corners_[wanted_[k].second] = cornersAt(wanted_[k].first);
+  for (std::size_t k = 0; k < count; ++k) corners[wanted[k].point] = cornersAt(wanted[k].memory);
 }
 
 void FieldBatch::sample(const mrpt::math::TPoint2D& at) {

@@ -5,6 +5,7 @@
 
 #include "ariadne/core/error.h"
 #include "ariadne/grid/rounding.h"
+#include "two_doubles.h"
 
 namespace ariadne::grid {
 namespace {
@@ -16,6 +17,15 @@ constexpr double kMostTiles = 1 << 26;
 
 /// First cell whose centre is at or past v.
 int firstCentre(double v) { return ceilToInt(v - 0.5); }
+
+/// The same of two, |v| under 2^31, in the low halves.
+inline TwoInts firstCentres(TwoDoubles v) {
+  const TwoDoubles w = v - 0.5;
+  TwoInts nearest_int;
+  const TwoDoubles nearest = rounded(w, nearest_int);
+  const TwoInts under = nearest < w;  // -1 where it is
+  return nearest_int - under;
+}
 
 }  // namespace
 
@@ -95,13 +105,28 @@ inline void ScanRaster::crossEdge(const Point& a, const Point& b, int y, int end
   while (y < end) {
     const int ty = y >> kTileBits;
     const int next = std::min(end, (ty + 1) * kTileCells);
-    for (; y < next; ++y, x += slope) {
-      const int column = firstCentre(x);
-      if (const int tx = column >> kTileBits; tx != cursor.tx || ty != cursor.ty)
-        cursor = {tx, ty, slot(tx, ty).crossed.rows.data()};
-      cursor.rows[y & (kTileCells - 1)] ^= 1U << (column & (kTileCells - 1));
+    if (ty != cursor.ty) cursor = {box_.x1, ty, nullptr};  // outside the box
+    for (; y + 1 < next; y += 2) {
+      const double x1 = x + slope;
+      const TwoInts columns = firstCentres(TwoDoubles{x, x1});
+      x = x1 + slope;
+      flip(static_cast<int>(columns[0]), y, cursor);
+      flip(static_cast<int>(columns[1]), y + 1, cursor);
+    }
+    if (y < next) {
+      flip(firstCentre(x), y, cursor);
+      ++y;
+      x += slope;
     }
   }
+}
+
+inline void ScanRaster::flip(int column, int y, Cursor& cursor) {
+  if (const int tx = column >> kTileBits; tx != cursor.tx) {
+    cursor.tx = tx;
+    cursor.rows = slot(tx, cursor.ty).crossed.rows.data();
+  }
+  cursor.rows[y & (kTileCells - 1)] ^= 1U << (column & (kTileCells - 1));
 }
 
 void ScanRaster::markHits(std::size_t first) {

@@ -57,6 +57,7 @@ class ScanRaster {
     int ty;
     std::uint32_t* rows;
   };
+  void flip(int column, int y, Cursor& cursor);
   void crossEdge(const Point& a, const Point& b, int y, int end, Cursor& cursor);
   void markHits(std::size_t first);
   Slot& slot(int tx, int ty) {

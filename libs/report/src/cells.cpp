@@ -1,7 +1,9 @@
 #include "cells.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <vector>
 
 namespace ariadne::report {
 namespace {
@@ -14,20 +16,49 @@ std::uint8_t shade(int log_odds) {
                                                 : std::max(60 + 60 * log_odds / 127, 0));
 }
 
-/// The cell that stands for a block: its most occupied, else its most free, so that thin walls
-/// stay.
-int standsFor(const Grid& map, int x0, int y0, const Box& box, int cells) {
-  int low = 0;
-  int high = 0;
-  for (int y = y0; y < std::min(y0 + cells, box.y1); ++y) {
-    const auto* row = map.getRow(y);
-    for (int x = x0; x < std::min(x0 + cells, box.x1); ++x) {
-      low = std::min<int>(low, row[x]);
-      high = std::max<int>(high, row[x]);
+/// Grey pixels by log odds as an unsigned byte.
+const std::array<std::uint32_t, 256>& greys() {
+  static const auto table = [] {
+    std::array<std::uint32_t, 256> t{};
+    for (int l = -128; l < 128; ++l) t[static_cast<std::uint8_t>(l)] = 0x010101U * shade(l);
+    return t;
+  }();
+  return table;
+}
+
+/// What stands for the blocks of some rows of cells, a byte a block: the most occupied cell, else
+/// the most free, so that thin walls stay.
+class BlockRow {
+ public:
+  BlockRow(const Grid& map, const Box& box, int cells)
+      : map_(map), box_(box), cells_(cells), low_(box.width()), high_(box.width()) {}
+
+  /// The blocks whose first row is y.
+  void read(int y) {
+    std::fill(low_.begin(), low_.end(), 0);
+    std::fill(high_.begin(), high_.end(), 0);
+    for (int end = std::min(y + cells_, box_.y1); y < end; ++y) {
+      const auto* row = map_.getRow(y) + box_.x0;
+      for (std::size_t x = 0; x < low_.size(); ++x) {
+        low_[x] = std::min<std::int8_t>(low_[x], row[x]);
+        high_[x] = std::max<std::int8_t>(high_[x], row[x]);
+      }
     }
   }
-  return low < 0 ? low : high;
-}
+  /// The block whose first cell is x of the box.
+  std::int8_t at(int x) const {
+    const int end = std::min(x + cells_, box_.width());
+    const auto low = *std::min_element(low_.begin() + x, low_.begin() + end);
+    return low < 0 ? low : *std::max_element(high_.begin() + x, high_.begin() + end);
+  }
+
+ private:
+  const Grid& map_;
+  const Box& box_;
+  int cells_;
+  std::vector<std::int8_t> low_;
+  std::vector<std::int8_t> high_;
+};
 
 }  // namespace
 
@@ -57,16 +88,19 @@ void drawCells(cairo_surface_t* image, const Grid& map, const Box& box, const Sc
   cairo_surface_flush(image);
   unsigned char* data = cairo_image_surface_get_data(image);
   const int stride = cairo_image_surface_get_stride(image);
+  const auto& grey = greys();
+  BlockRow blocks(map, box, scale.cells);
   int pixel_y = bottom - scale.pixels;
   for (int y = box.y0; y < box.y1; y += scale.cells, pixel_y -= scale.pixels) {
-    int pixel_x = left;
-    for (int x = box.x0; x < box.x1; x += scale.cells, pixel_x += scale.pixels) {
-      const std::uint32_t v = shade(standsFor(map, x, y, box, scale.cells));
-      for (int j = 0; j < scale.pixels; ++j) {
-        auto* row = reinterpret_cast<std::uint32_t*>(data + std::size_t(pixel_y + j) * stride);
-        std::fill_n(row + pixel_x, scale.pixels, v << 16 | v << 8 | v);
-      }
-    }
+    blocks.read(y);
+    auto* const row = reinterpret_cast<std::uint32_t*>(data + std::size_t(pixel_y) * stride) + left;
+    auto* pixel = row;
+    for (int x = 0; x < box.width(); x += scale.cells, pixel += scale.pixels)
+      std::fill_n(pixel, scale.pixels, grey[static_cast<std::uint8_t>(blocks.at(x))]);
+    for (int j = 1; j < scale.pixels; ++j)
+      std::copy(row, pixel,
+                reinterpret_cast<std::uint32_t*>(reinterpret_cast<char*>(row) +
+                                                 std::ptrdiff_t{j} * stride));
   }
   cairo_surface_mark_dirty(image);
 }

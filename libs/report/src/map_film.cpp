@@ -10,40 +10,28 @@ static_assert(kTileCells == kReplayTile);
 
 using Tile = grid::EvidenceTile;
 
-/// Eight bits as eight bytes of 0 or 1, the lowest bit first in memory.
-std::array<std::uint8_t, 8> bytesOf(std::uint8_t bits) {
-  static const auto table = [] {
-    std::array<std::array<std::uint8_t, 8>, 256> t{};
-    for (std::size_t b = 0; b < t.size(); ++b)
-      for (std::size_t i = 0; i < 8; ++i) t[b][i] = b >> i & 1;
-    return t;
-  }();
-  return table[bits];
+/// Bit i * n becomes whether any of bits i * n to i * n + n - 1 is set; n is a power of 2.
+std::uint32_t folded(std::uint32_t bits, int n) {
+  for (int shift = 1; shift < n; shift *= 2) bits |= bits >> shift;
+  return bits;
 }
 
-/// Each pixel becomes what the cell of its column is where that is more; eight at a time.
-void raise(std::array<std::uint8_t, kTileCells>& pixels, const Tile& tile, int y) {
-  static_assert(static_cast<int>(MapPixel::free) == 1 && static_cast<int>(MapPixel::occupied) == 2);
-  const std::uint32_t free = tile.freeRow(y);
-  const std::uint32_t occupied = tile.occupiedRow(y);
-  for (int x = 0; x < kTileCells; x += 8) {
-    const auto frees = bytesOf(static_cast<std::uint8_t>(free >> x));
-    const auto walls = bytesOf(static_cast<std::uint8_t>(occupied >> x));
-    for (int i = 0; i < 8; ++i)
-      pixels[x + i] = std::max<std::uint8_t>(pixels[x + i], frees[i] | walls[i] << 1);
-  }
-}
-
-/// Tile (i, j) of the n x n that one is drawn of: its block of pixels, made anew. Rows are put
-/// together first, many cells at a time.
+/// Tile (i, j) of the n x n that one is drawn of: its block of pixels, made anew.
 void drawBlock(TilePixels& pixels, const Tile* tile, int i, int j, int n) {
+  static_assert(static_cast<int>(MapPixel::free) == 1 && static_cast<int>(MapPixel::occupied) == 2);
   const int side = kReplayTile / n;
   std::uint8_t* block = &pixels[j * side * kReplayTile + i * side];
   for (int y = 0; y < side; ++y, block += kReplayTile) {
-    std::array<std::uint8_t, kTileCells> row{};
-    for (int k = 0; tile && k < n; ++k) raise(row, *tile, y * n + k);
+    std::uint32_t free = 0;
+    std::uint32_t occupied = 0;
+    for (int k = 0; tile && k < n; ++k) {
+      free |= tile->freeRow(y * n + k);
+      occupied |= tile->occupiedRow(y * n + k);
+    }
+    free = folded(free, n);
+    occupied = folded(occupied, n);
     for (int x = 0; x < side; ++x)
-      block[x] = *std::max_element(row.begin() + x * n, row.begin() + (x + 1) * n);
+      block[x] = (occupied >> x * n & 1U) != 0 ? 2 : static_cast<std::uint8_t>(free >> x * n & 1U);
   }
 }
 

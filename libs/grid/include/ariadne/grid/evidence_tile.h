@@ -43,8 +43,14 @@ class alignas(16) EvidenceTile {
 
   std::int8_t at(int x, int y, const FreeCounts& counts) const;
   /// Bit x: cell (x, y) is free (over 0), is occupied (under 0).
-  std::uint32_t freeRow(int y) const;
-  std::uint32_t occupiedRow(int y) const;
+  std::uint32_t freeRow(int y) const {
+    std::uint32_t row = 0;
+    for (int k = 0; k < planes_; ++k) row |= plane(k)[y];
+    return hasApart() && apart()[y] != 0 ? row | apartRow(y).free : row;
+  }
+  std::uint32_t occupiedRow(int y) const {
+    return hasApart() && apart()[y] != 0 ? apartRow(y).occupied : 0;
+  }
 
   /// The count of all cells when this is the tile that all maps share for it, else -1.
   int sharedCount() const { return shared_count_; }
@@ -64,6 +70,11 @@ class alignas(16) EvidenceTile {
         planes_(static_cast<std::uint8_t>(planes)) {}
   static std::size_t bytesFor(int planes, int capacity);
   int apartIndex(int x, int y) const;
+  struct ApartRow {
+    std::uint32_t free = 0;
+    std::uint32_t occupied = 0;
+  };
+  ApartRow apartRow(int y) const;
   const std::uint32_t* words() const { return reinterpret_cast<const std::uint32_t*>(this + 1); }
   std::uint32_t* words() { return reinterpret_cast<std::uint32_t*>(this + 1); }
   std::uint32_t* apartForWriting() { return plane(planes_); }

@@ -4,7 +4,9 @@
 #pragma once
 #include <mrpt/math/TPoint2D.h>
 
+#include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "ariadne/grid/occupancy_grid.h"
@@ -23,7 +25,8 @@ class FieldBatch {
   const double* offsetX() const { return offset_x_.data(); }
   const double* offsetY() const { return offset_y_.data(); }
 
-  /// Reads the field at `at` + offset for each point: value() in [0, 1] and gradient, 1/m.
+  /// Reads the field at `at` + offset for each point: value() in [0, 1] and gradient, 1/m. All are
+  /// 0 where `at` or the heading is not finite or nothing could be mapped that far out.
   void sample(const mrpt::math::TPoint2D& at);
   const double* value() const { return value_.data(); }
   const double* dx() const { return dx_.data(); }
@@ -35,6 +38,16 @@ class FieldBatch {
  private:
   void findCorners(const mrpt::math::TPoint2D& at);
   void readCorners();
+  const std::uint8_t* tileOf(std::int64_t cell);
+
+  struct KnownTile {
+    std::int64_t first_cell;
+    const std::uint8_t* cells;
+  };
+  struct Wanted {
+    const std::uint8_t* memory;
+    std::size_t point;
+  };
 
   const OccupancyGrid* map_ = nullptr;
   const std::vector<mrpt::math::TPoint2D>* points_ = nullptr;
@@ -43,7 +56,9 @@ class FieldBatch {
   std::vector<std::int64_t> cells_, new_cells_;  // x in the high half, y in the low one
   std::vector<double> in_x_, in_y_;              // within the cell, 0..1
   std::vector<std::uint32_t> corners_;           // four bytes: (0, 0), (1, 0), (0, 1), (1, 1)
-  std::vector<std::pair<const std::uint8_t*, std::size_t>> wanted_;  // in memory, for which point
+  std::vector<Wanted> wanted_;
+  std::array<KnownTile, 64> tiles_;  // the last ones, each in a place of its own
+  bool headed_ = false;              // the heading is finite
   std::vector<double> value_, dx_, dy_;
 };
 
