@@ -21,7 +21,7 @@ void expectSamePlane(const Plane& a, const Plane& b, const char* what) {
     from.forEachTile([&](int tx, int ty, const auto& tile) {
       for (int i = 0; i < static_cast<int>(tile.size()); ++i)
         differing += tile[i] != to.at(tx * grid::kTileCells + i % grid::kTileCells,
-                                      ty * grid::kTileCells + i / grid::kTileCells);
+                                      ty * Plane::kRows + i / grid::kTileCells);
     });
   };
   compare(a, b);

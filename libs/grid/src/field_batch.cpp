@@ -9,13 +9,9 @@
 namespace ariadne::grid {
 namespace {
 
-using Plane = TiledPlane<std::uint8_t>;
+using Plane = LikelihoodField::Plane;
 
 std::uint16_t pair(const std::uint8_t* p) { return static_cast<std::uint16_t>(p[0] | p[1] << 8); }
-
-std::uint32_t cornersAt(const std::uint8_t* p) {
-  return pair(p) | std::uint32_t{pair(p + kTileCells)} << 16;
-}
 
 std::uint32_t cornersAcrossTiles(const Plane& plane, int x, int y) {
   return std::uint32_t{plane.at(x, y)} | std::uint32_t{plane.at(x + 1, y)} << 8 |
@@ -96,10 +92,10 @@ void FieldBatch::findCorners(const mrpt::math::TPoint2D& at) {
 
 /// The tile of a cell; one of zeros where there is none.
 const std::uint8_t* FieldBatch::tileOf(std::int64_t cell) {
-  constexpr std::int64_t kInTile = std::int64_t{kTileCells - 1} << 32 | (kTileCells - 1);
+  constexpr std::int64_t kInTile = std::int64_t{kTileCells - 1} << 32 | (Plane::kRows - 1);
   const int tx = static_cast<int>(cell >> 32) >> kTileBits;
-  const int ty = static_cast<int>(cell) >> kTileBits;
-  KnownTile& known = tiles_[static_cast<std::size_t>(tx ^ ty << 3) % tiles_.size()];
+  const int ty = static_cast<int>(cell) >> Plane::kRowBits;
+  KnownTile& known = tiles_[static_cast<std::size_t>(tx << 2 ^ ty) % tiles_.size()];
   if (known.first_cell != (cell & ~kInTile)) {
     static const Plane::Tile kNothing{};
     const Plane::Tile* tile = map_->field().tile(tx, ty);
@@ -111,7 +107,8 @@ const std::uint8_t* FieldBatch::tileOf(std::int64_t cell) {
 /// Other particles have pushed this one's field out of the cache: all that is wanted is named
 /// before any of it is read.
 void FieldBatch::readCorners() {
-  constexpr int kLast = kTileCells - 1;
+  constexpr int kLastColumn = kTileCells - 1;
+  constexpr int kLastRow = Plane::kRows - 1;
   const std::size_t n = size();
   const std::int64_t* __restrict now = new_cells_.data();
   std::int64_t* __restrict cells = cells_.data();
@@ -124,16 +121,19 @@ void FieldBatch::readCorners() {
     cells[i] = cell;
     const int x = static_cast<int>(cell >> 32);
     const int y = static_cast<int>(cell);
-    if ((x & kLast) == kLast || (y & kLast) == kLast) {
+    if ((x & kLastColumn) == kLastColumn) {
       corners[i] = cornersAcrossTiles(map_->field(), x, y);
       continue;
     }
-    const std::uint8_t* p = tileOf(cell) + tileOffset(x, y);
-    __builtin_prefetch(p);
-    __builtin_prefetch(p + kTileCells);
-    wanted[count++] = {p, i};
+    const std::uint8_t* low = tileOf(cell) + Plane::offset(x, y);
+    const std::uint8_t* high =
+        (y & kLastRow) != kLastRow ? low + kTileCells : tileOf(cell + 1) + Plane::offset(x, y + 1);
+    __builtin_prefetch(low);
+    __builtin_prefetch(high);
+    wanted[count++] = {low, high, i};
   }
-  for (std::size_t k = 0; k < count; ++k) corners[wanted[k].point] = cornersAt(wanted[k].memory);
+  for (std::size_t k = 0; k < count; ++k)
+    corners[wanted[k].point] = pair(wanted[k].low) | std::uint32_t{pair(wanted[k].high)} << 16;
 }
 
 void FieldBatch::sample(const mrpt::math::TPoint2D& at) {

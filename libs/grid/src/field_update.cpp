@@ -47,16 +47,26 @@ std::vector<Part> partsNear(const std::vector<CellBox>& boxes, int radius) {
 
 void LikelihoodField::update(const std::vector<CellBox>& changed, const EvidencePlane& log_odds) {
   static thread_local FieldWindow window;
-  static const Plane::Tile kNothing{};
   for (const Part& part : partsNear(changed, kernel_->radius())) {
     window.build(*kernel_, log_odds, part.tx, part.ty, part.y0, part.y1);
-    const Plane::Tile* now = plane_.tile(part.tx, part.ty);
-    if (!now) now = &kNothing;
-    const auto size = static_cast<std::size_t>(part.y1 - part.y0) * kTileCells;
-    const int begin = tileOffset(0, part.y0);
-    if (std::memcmp(&(*now)[begin], window.row(part.y0), size) == 0) continue;
-    std::memcpy(&plane_.writeTile(part.tx, part.ty)[begin], window.row(part.y0), size);
+    for (int y = part.y0; y < part.y1;) {
+      const int ty = y >> Plane::kRowBits;
+      const int end = std::min(part.y1, (ty + 1) * Plane::kRows);
+      replaceRows(part.tx, y, end, window.row(y));
+      y = end;
+    }
   }
+}
+
+/// Rows [y0, y1) of one tile become these. A shared tile is copied only for a change.
+void LikelihoodField::replaceRows(int tx, int y0, int y1, const std::uint8_t* rows) {
+  static const Plane::Tile kNothing{};
+  const int ty = y0 >> Plane::kRowBits;
+  const Plane::Tile* now = plane_.tile(tx, ty);
+  const auto size = static_cast<std::size_t>(y1 - y0) * kTileCells;
+  const int begin = Plane::offset(0, y0);
+  if (std::memcmp(&(now ? *now : kNothing)[begin], rows, size) == 0) return;
+  std::memcpy(&plane_.writeTile(tx, ty)[begin], rows, size);
 }
 
 }  // namespace ariadne::grid

@@ -12,6 +12,7 @@ struct TileMask;
 
 class EvidencePlane {
  public:
+  static constexpr int kRows = kTileCells;  ///< of a tile
   /// Log odds of a tile, row by row.
   using Cells = TileCells<std::int8_t>;
 

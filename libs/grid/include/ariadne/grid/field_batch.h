@@ -45,7 +45,8 @@ class FieldBatch {
     const std::uint8_t* cells;
   };
   struct Wanted {
-    const std::uint8_t* memory;
+    const std::uint8_t* low;   // of row y
+    const std::uint8_t* high;  // of row y + 1
     std::size_t point;
   };
 
@@ -57,8 +58,8 @@ class FieldBatch {
   std::vector<double> in_x_, in_y_;              // within the cell, 0..1
   std::vector<std::uint32_t> corners_;           // four bytes: (0, 0), (1, 0), (0, 1), (1, 1)
   std::vector<Wanted> wanted_;
-  std::array<KnownTile, 64> tiles_;  // the last ones, each in a place of its own
-  bool headed_ = false;              // the heading is finite
+  std::array<KnownTile, 128> tiles_;  // the last ones, each in a place of its own
+  bool headed_ = false;               // the heading is finite
   std::vector<double> value_, dx_, dy_;
 };
 

@@ -40,7 +40,7 @@ class FieldSampler {
   }
 
  private:
-  using Plane = TiledPlane<std::uint8_t>;
+  using Plane = LikelihoodField::Plane;
   struct Corners {
     double v00 = 0, v10 = 0, v01 = 0, v11 = 0;  // v(x)(y)
     double fx = 0, fy = 0;
@@ -66,10 +66,11 @@ class FieldSampler {
     Corners c;
     c.fx = u - ix;
     c.fy = v - iy;
-    constexpr int kLast = kTileCells - 1;
-    if ((ix & kLast) != kLast && (iy & kLast) != kLast) {
-      if (const Plane::Tile* t = tile(ix >> kTileBits, iy >> kTileBits)) {
-        const std::uint8_t* p = &(*t)[tileOffset(ix, iy)];
+    constexpr int kLastColumn = kTileCells - 1;
+    constexpr int kLastRow = Plane::kRows - 1;
+    if ((ix & kLastColumn) != kLastColumn && (iy & kLastRow) != kLastRow) {
+      if (const Plane::Tile* t = tile(ix >> kTileBits, iy >> Plane::kRowBits)) {
+        const std::uint8_t* p = &(*t)[Plane::offset(ix, iy)];
         c.v00 = p[0];
         c.v10 = p[1];
         c.v01 = p[kTileCells];

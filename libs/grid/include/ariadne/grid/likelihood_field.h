@@ -49,11 +49,14 @@ class FieldKernel {
 
 class LikelihoodField {
  public:
+  /// Low tiles: along a wall most of a high one is 0, which takes no memory here.
+  using Plane = TiledPlane<std::uint8_t, 3>;
+
   /// @param sigma_cells width in cells; the field is 0 past 3 sigma.
   explicit LikelihoodField(double sigma_cells);
 
   std::uint8_t at(int x, int y) const { return plane_.at(x, y); }
-  const TiledPlane<std::uint8_t>& plane() const { return plane_; }
+  const Plane& plane() const { return plane_; }
   /// Cell (x, y) turned occupied.
   void occupy(Cell cell);
   /// Any cells in these boxes turned occupied or ceased to be; `log_odds` is the map after it all.
@@ -61,8 +64,8 @@ class LikelihoodField {
   void clear() { plane_.clear(); }
 
  private:
-  using Plane = TiledPlane<std::uint8_t>;
   void stamp(Cell cell, int tx, int ty);
+  void replaceRows(int tx, int y0, int y1, const std::uint8_t* rows);
   std::shared_ptr<const FieldKernel> kernel_;
   Plane plane_;
 };

@@ -35,7 +35,7 @@ class OccupancyGrid {
   /// 0..255, 255 on an occupied cell.
   std::uint8_t fieldAt(Cell c) const { return field_.at(c.x, c.y); }
   const EvidencePlane& cells() const { return cells_; }
-  const TiledPlane<std::uint8_t>& field() const { return field_.plane(); }
+  const LikelihoodField::Plane& field() const { return field_.plane(); }
 
   /// Inserts a scan: every cell inside the outline gets the evidence for free once, every cell that
   /// a beam ended in the evidence for occupied once and none for free. All saturate.

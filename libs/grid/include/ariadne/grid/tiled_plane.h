@@ -16,21 +16,26 @@ constexpr int tileOffset(int x, int y) {
   return ((y & (kTileCells - 1)) << kTileBits) | (x & (kTileCells - 1));
 }
 
-/// T is std::int8_t or std::uint8_t.
-template <class T>
+/// T is std::int8_t or std::uint8_t. Tiles are kTileCells wide and kRows high.
+template <class T, int RowBits = kTileBits>
 class TiledPlane {
  public:
-  using Tile = TileCells<T>;
+  static constexpr int kRowBits = RowBits;
+  static constexpr int kRows = 1 << RowBits;
+  using Tile = std::array<T, kTileCells * kRows>;
+
+  /// Cell (x, y)'s place in its tile.
+  static constexpr int offset(int x, int y) {
+    return ((y & (kRows - 1)) << kTileBits) | (x & (kTileCells - 1));
+  }
 
   T at(int x, int y) const {
-    const Tile* t = tile(x >> kTileBits, y >> kTileBits);
-    return t ? (*t)[tileOffset(x, y)] : T{0};
+    const Tile* t = tile(x >> kTileBits, y >> RowBits);
+    return t ? (*t)[offset(x, y)] : T{0};
   }
-  void set(int x, int y, T value) {
-    writeTile(x >> kTileBits, y >> kTileBits)[tileOffset(x, y)] = value;
-  }
+  void set(int x, int y, T value) { writeTile(x >> kTileBits, y >> RowBits)[offset(x, y)] = value; }
 
-  /// Tile with tile coordinates (cell >> kTileBits); null where nothing was written.
+  /// Tile with tile coordinates (x >> kTileBits, y >> RowBits); null where nothing was written.
   const Tile* tile(int tx, int ty) const {
     const Cow<Tile>* handle = tiles_.find(tx, ty);
     return handle ? handle->get() : nullptr;
