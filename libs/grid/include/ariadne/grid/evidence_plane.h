@@ -59,7 +59,7 @@ class EvidencePlane {
 
  private:
   const FreeCounts* counts_;
-  TileTable<EvidenceTileRef> tiles_;
+  TileTable<EvidenceTileRef, kMaxSquareBlocks> tiles_;
 };
 
 }  // namespace ariadne::grid

@@ -1,5 +1,5 @@
-// Where the tiles of a plane lie: a table of two levels, a rectangle of blocks, each 16 x 16
-// handles of tiles of 32 x 32 cells. Copying a table is one increment; the first write afterwards
+// Where the tiles of a plane lie: a table of two levels, a rectangle of blocks, each 8 x 8
+// handles of tiles. Copying a table is one increment; the first write afterwards
 // copies the rectangle, one block, and the handle decides about the tile.
 #pragma once
 #include <array>
@@ -13,8 +13,11 @@ namespace ariadne::grid {
 
 constexpr int kTileBits = 5;
 constexpr int kTileCells = 1 << kTileBits;  ///< side of a tile, cells
-constexpr int kBlockBits = 4;
+constexpr int kBlockBits = 3;
 constexpr int kBlockTiles = 1 << kBlockBits;  ///< side of a block, tiles
+
+/// 1024 x 1024 blocks of 256 x 256 cells: 13 km by 13 km at 0.05 m.
+constexpr std::int64_t kMaxSquareBlocks = 1 << 20;
 
 /// Half-open rectangle of cells (or tiles); empty when x0 >= x1.
 struct CellBox {
@@ -26,7 +29,8 @@ struct CellBox {
 };
 
 /// Handle shares a tile when copied, and is empty when made.
-template <class Handle>
+/// @tparam kMaxBlocks more is a runaway pose
+template <class Handle, std::int64_t kMaxBlocks>
 class TileTable {
  public:
   /// Handle of the tile with tile coordinates (cell >> kTileBits); null where no block is.
@@ -56,9 +60,6 @@ class TileTable {
   }
   void clear() { root_ = {}; }
 
-  /// 512 x 512 blocks of 512 x 512 cells: 13 km by 13 km at 0.05 m. More is a runaway pose.
-  static constexpr std::int64_t kMaxBlocks = 1 << 18;
-
  private:
   using Block = std::array<Handle, kBlockTiles * kBlockTiles>;
   struct Root {
@@ -84,8 +85,8 @@ class TileTable {
 /// `most` blocks.
 CellBox widened(const CellBox& box, int bx, int by, std::int64_t most);
 
-template <class Handle>
-void TileTable<Handle>::grow(Root& root, int bx, int by) {
+template <class Handle, std::int64_t kMaxBlocks>
+void TileTable<Handle, kMaxBlocks>::grow(Root& root, int bx, int by) {
   Root wider;
   wider.box = widened(root.blocks.empty() ? CellBox{} : root.box, bx, by, kMaxBlocks);
   wider.blocks.resize(static_cast<std::size_t>(wider.box.x1 - wider.box.x0) *

@@ -57,7 +57,7 @@ class TiledPlane {
   void clear() { tiles_.clear(); }
 
  private:
-  TileTable<Cow<Tile>> tiles_;
+  TileTable<Cow<Tile>, kMaxSquareBlocks * kTileCells / kRows> tiles_;
 };
 
 }  // namespace ariadne::grid
