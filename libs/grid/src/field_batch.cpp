@@ -91,17 +91,19 @@ void FieldBatch::findCorners(const mrpt::math::TPoint2D& at) {
 }
 
 /// The tile of a cell; one of zeros where there is none.
-const std::uint8_t* FieldBatch::tileOf(std::int64_t cell) {
+inline const std::uint8_t* FieldBatch::tileOf(std::int64_t cell) {
   constexpr std::int64_t kInTile = std::int64_t{kTileCells - 1} << 32 | (Plane::kRows - 1);
   const int tx = static_cast<int>(cell >> 32) >> kTileBits;
   const int ty = static_cast<int>(cell) >> Plane::kRowBits;
   KnownTile& known = tiles_[static_cast<std::size_t>(tx << 2 ^ ty) % tiles_.size()];
-  if (known.first_cell != (cell & ~kInTile)) {
-    static const Plane::Tile kNothing{};
-    const Plane::Tile* tile = map_->field().tile(tx, ty);
-    known = {cell & ~kInTile, (tile ? tile : &kNothing)->data()};
-  }
+  if (known.first_cell != (cell & ~kInTile)) known = {cell & ~kInTile, lookUp(tx, ty)};
   return known.cells;
+}
+
+const std::uint8_t* FieldBatch::lookUp(int tx, int ty) const {
+  static const Plane::Tile kNothing{};
+  const Plane::Tile* tile = map_->field().tile(tx, ty);
+  return (tile ? tile : &kNothing)->data();
 }
 
 /// Other particles have pushed this one's field out of the cache: all that is wanted is named

@@ -42,8 +42,8 @@ std::string encodePng(const Picture& picture) {
   png_set_IHDR(w.png, w.info, picture.width, picture.height, small ? 2 : 8,
                colours ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  // 9 takes eleven times as long as 6 for 7 % less.
-  png_set_compression_level(w.png, small ? 6 : 1);
+  // 9 takes twenty times as long as 5 for a tenth less.
+  png_set_compression_level(w.png, small ? 5 : 1);
   // Maps are flat: three times as quick as level 1.
   png_set_compression_strategy(w.png, small ? Z_DEFAULT_STRATEGY : Z_RLE);
   png_set_filter(w.png, 0, PNG_FILTER_NONE);

@@ -39,6 +39,7 @@ class FieldBatch {
   void findCorners(const mrpt::math::TPoint2D& at);
   void readCorners();
   const std::uint8_t* tileOf(std::int64_t cell);
+  const std::uint8_t* lookUp(int tx, int ty) const;
 
   struct KnownTile {
     std::int64_t first_cell;
