@@ -9,7 +9,8 @@ using namespace ariadne;
 
 namespace {
 
-/// A square map whose cells take so many MB, no two tiles alike.
+/// A square map of so many MB at a byte a cell (as MRPT keeps it; packed it is less), no two tiles
+/// alike.
 grid::OccupancyGrid mapOf(std::int64_t megabytes) {
   grid::OccupancyGrid map;
   const int side = static_cast<int>(std::sqrt(static_cast<double>(megabytes << 20)));

@@ -49,7 +49,7 @@ void FieldBatch::use(const OccupancyGrid& map, const std::vector<mrpt::math::TPo
   const std::size_t even = (points.size() + 1) / 2 * 2;
   for (auto* v : {&offset_x_, &offset_y_, &in_x_, &in_y_, &value_, &dx_, &dy_}) v->resize(even, 0);
   cells_.assign(even, kNoCell);
-  tiles_.fill({kNoCell, nullptr});
+  tiles_.fill({std::numeric_limits<int>::min(), 0, nullptr});
   new_cells_.resize(even);
   corners_.resize(even);
   wanted_.resize(even);
@@ -91,12 +91,11 @@ void FieldBatch::findCorners(const mrpt::math::TPoint2D& at) {
 }
 
 /// The tile of a cell; one of zeros where there is none.
-inline const std::uint8_t* FieldBatch::tileOf(std::int64_t cell) {
-  constexpr std::int64_t kInTile = std::int64_t{kTileCells - 1} << 32 | (Plane::kRows - 1);
-  const int tx = static_cast<int>(cell >> 32) >> kTileBits;
-  const int ty = static_cast<int>(cell) >> Plane::kRowBits;
+inline const std::uint8_t* FieldBatch::tileOf(int x, int y) {
+  const int tx = x >> kTileBits;
+  const int ty = y >> Plane::kRowBits;
   KnownTile& known = tiles_[static_cast<std::size_t>(tx << 2 ^ ty) % tiles_.size()];
-  if (known.first_cell != (cell & ~kInTile)) known = {cell & ~kInTile, lookUp(tx, ty)};
+  if (known.tx != tx || known.ty != ty) known = {tx, ty, lookUp(tx, ty)};
   return known.cells;
 }
 
@@ -127,9 +126,9 @@ void FieldBatch::readCorners() {
       corners[i] = cornersAcrossTiles(map_->field(), x, y);
       continue;
     }
-    const std::uint8_t* low = tileOf(cell) + Plane::offset(x, y);
+    const std::uint8_t* low = tileOf(x, y) + Plane::offset(x, y);
     const std::uint8_t* high =
-        (y & kLastRow) != kLastRow ? low + kTileCells : tileOf(cell + 1) + Plane::offset(x, y + 1);
+        (y & kLastRow) != kLastRow ? low + kTileCells : tileOf(x, y + 1) + Plane::offset(x, y + 1);
     __builtin_prefetch(low);
     __builtin_prefetch(high);
     wanted[count++] = {low, high, i};

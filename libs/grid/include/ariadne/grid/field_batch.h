@@ -38,11 +38,12 @@ class FieldBatch {
  private:
   void findCorners(const mrpt::math::TPoint2D& at);
   void readCorners();
-  const std::uint8_t* tileOf(std::int64_t cell);
+  const std::uint8_t* tileOf(int x, int y);
   const std::uint8_t* lookUp(int tx, int ty) const;
 
   struct KnownTile {
-    std::int64_t first_cell;
+    int tx;  // the lowest int where nothing is known
+    int ty;
     const std::uint8_t* cells;
   };
   struct Wanted {
