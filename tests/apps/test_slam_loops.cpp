@@ -154,7 +154,9 @@ TEST_F(SlamLoops, WithoutRecoveryClosingsAreStillTold) {
 }
 
 TEST_F(SlamLoops, ASavedSetOverTheBudgetIsDroppedAndSaid) {
-  ASSERT_EQ(drive({"recovery.memory_budget_mb=1", "grid.resolution_m=0.02"}), 0) << err;
+  ASSERT_EQ(drive({"recovery.memory_budget_mb=1", "grid.resolution_m=0.02", "filter.particles=16"}),
+            0)
+      << err;
   const json loops = json::parse(written("loops.json"));
   EXPECT_EQ(loops["recovered"], 0);
   const std::string said =

@@ -62,6 +62,10 @@ class Store {
     const std::lock_guard lock(mutex_);
     full_[size].push_back(pile);
   }
+  std::size_t reserved() {
+    const std::lock_guard lock(mutex_);
+    return reserved_;
+  }
 
  private:
   Piece* cut(std::size_t bytes) {
@@ -72,6 +76,7 @@ class Store {
       ::madvise(chunk, kHuge, MADV_HUGEPAGE);
       next_ = static_cast<std::byte*>(chunk);
       left_ = kHuge;
+      reserved_ += kHuge;
     }
     auto* piece = reinterpret_cast<Piece*>(next_);
     next_ += bytes;
@@ -83,6 +88,7 @@ class Store {
   std::array<std::vector<Pile>, kMost / kStep + 1> full_;
   std::byte* next_ = nullptr;
   std::size_t left_ = 0;
+  std::size_t reserved_ = 0;
 };
 
 /// What a thread has at hand, two batches of a size at the most.
@@ -128,5 +134,7 @@ void TilePool::give(void* memory, std::size_t bytes) noexcept {
   for (std::size_t i = 0; i < kBatch; ++i) batch.push(pile.pop());
   Store::instance().keep(batch, size);
 }
+
+std::size_t TilePool::reserved() { return Store::instance().reserved(); }
 
 }  // namespace ariadne::grid

@@ -14,6 +14,8 @@ class TilePool {
   static void* take(std::size_t bytes);
   /// @param bytes as taken
   static void give(void* memory, std::size_t bytes) noexcept;
+  /// Bytes that the pool has from the system.
+  static std::size_t reserved();
 };
 
 }  // namespace ariadne::grid
