@@ -108,8 +108,9 @@ TEST_P(EvidencePlaneOf, EqualsBytesWhateverHappens) {
       } else if (kind < 14) {
         const int was = value;
         value = std::max(was - kOccupied, -127);
-        ASSERT_EQ(plane.addHit(kTx * kTileCells + x, kTy * kTileCells + y, kOccupied),
-                  was >= 0 && value < 0);
+        std::vector<grid::Cell> turned;
+        plane.addHits({{kTx * kTileCells + x, kTy * kTileCells + y}}, kOccupied, turned);
+        ASSERT_EQ(turned.size(), was >= 0 && value < 0 ? 1U : 0U);
       } else if (kind == 14) {
         value = static_cast<int>(rng.bits() % 256) - 128;
         plane.set(kTx * kTileCells + x, kTy * kTileCells + y, static_cast<std::int8_t>(value));
@@ -143,6 +144,41 @@ TEST(EvidencePlane, HoldsWhatWasSetAnywhere) {
   EXPECT_EQ(plane.at(1000000, 5), 0);
 }
 
+// Cells of many tiles in any order, some named again.
+TEST(EvidencePlane, ManyHitsAreThoseOneByOne) {
+  auto rng = stream(5);
+  EvidencePlane plane(10);
+  std::map<std::pair<int, int>, int> reference;
+  for (int round = 0; round < 20; ++round) {
+    const EvidencePlane copy = plane;
+    std::vector<grid::Cell> cells;
+    std::vector<grid::Cell> expected;
+    std::vector<grid::Cell> turned;
+    for (int i = 0; i < 200; ++i) {
+      const grid::Cell c{static_cast<int>(rng.bits() % 90) - 40,
+                         static_cast<int>(rng.bits() % 70) - 30};
+      int& value = reference[{c.x, c.y}];
+      if (rng.bits() % 8 == 0) {
+        value = 20;
+        plane.set(c.x, c.y, 20);
+      }
+      cells.push_back(c);
+    }
+    for (const grid::Cell c : cells) {
+      int& value = reference[{c.x, c.y}];
+      if (value >= 0 && value < 35) expected.push_back(c);
+      value = std::max(value - 35, -127);
+    }
+    plane.addHits(cells, 35, turned);
+    for (const auto& [cell, value] : reference) ASSERT_EQ(plane.at(cell.first, cell.second), value);
+    ASSERT_EQ(turned.size(), expected.size());
+    for (std::size_t i = 0; i < turned.size(); ++i) {
+      EXPECT_EQ(turned[i].x, expected[i].x);
+      EXPECT_EQ(turned[i].y, expected[i].y);
+    }
+  }
+}
+
 TEST(EvidencePlane, ATileIsWrittenToOnlyWhenACellChanges) {
   EvidencePlane plane(10);
   auto rng = stream(2);
@@ -153,7 +189,7 @@ TEST(EvidencePlane, ATileIsWrittenToOnlyWhenACellChanges) {
   const EvidencePlane copy = plane;
   plane.addFree(0, 0, mask, freed);
   EXPECT_EQ(plane.tile(0, 0), copy.tile(0, 0));
-  plane.addHit(3, 3, 35);
+  plane.set(3, 3, -35);
   EXPECT_NE(plane.tile(0, 0), copy.tile(0, 0));
   EXPECT_EQ(copy.at(3, 3), 0);
 }
@@ -165,7 +201,7 @@ TEST(EvidencePlane, OpenFloorTakesNoMemory) {
   TileMask all;
   all.rows.fill(~0U);
   std::vector<grid::CellBox> freed;
-  b.addHit(5, 5, 35);
+  b.set(5, 5, -35);
   for (int i = 0; i < 17; ++i) {
     a.addFree(0, 0, all, freed);
     b.addFree(0, 0, all, freed);
@@ -193,7 +229,7 @@ TEST(EvidencePlane, CopiesAreWrittenToFromManyThreads) {
   EvidencePlane first(10);
   std::vector<grid::CellBox> freed;
   first.addFree(0, 0, randomMask(rng), freed);
-  first.addHit(7, 7, 35);
+  first.set(7, 7, -35);
   const TileMask mask = randomMask(rng);
   EvidencePlane expected = first;
   for (int i = 0; i < 40; ++i) expected.addFree(0, 0, mask, freed);

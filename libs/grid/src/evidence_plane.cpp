@@ -13,27 +13,50 @@ std::int8_t EvidencePlane::at(int x, int y) const {
 }
 
 void EvidencePlane::set(int x, int y, std::int8_t log_odds) {
-  EvidenceTileRef& handle = tiles_.at(x >> kTileBits, y >> kTileBits);
-  const int in_x = x & (kTileCells - 1);
-  const int in_y = y & (kTileCells - 1);
+  setIn(tiles_.at(x >> kTileBits, y >> kTileBits), x & (kTileCells - 1), y & (kTileCells - 1),
+        log_odds);
+}
+
+/// Cell (x, y) of the tile behind the handle.
+void EvidencePlane::setIn(EvidenceTileRef& handle, int x, int y, std::int8_t log_odds) const {
   const int count = counts_->countOf(log_odds);
   const int apart_now = handle.get() ? handle.get()->apartCount() : 0;
   if (count == FreeCounts::kNone) {
-    handle.write(0, apart_now + 1).setApart(in_x, in_y, log_odds);
+    handle.write(0, apart_now + 1).setApart(x, y, log_odds);
     return;
   }
   int planes = 0;
   while (count >> planes != 0) ++planes;
   EvidenceTile& tile = handle.write(planes, apart_now);
-  if (tile.isApart(in_x, in_y)) tile.dropApart(in_x, in_y);
-  tile.setCount(in_x, in_y, count);
+  if (tile.isApart(x, y)) tile.dropApart(x, y);
+  tile.setCount(x, y, count);
 }
 
-bool EvidencePlane::addHit(int x, int y, std::int8_t occupied) {
-  const std::int8_t before = at(x, y);
-  const int after = std::max(before - occupied, int{kMostOccupied});
-  if (before != after) set(x, y, static_cast<std::int8_t>(after));
-  return before >= 0 && after < 0;
+void EvidencePlane::addHits(const std::vector<Cell>& cells, std::int8_t occupied,
+                            std::vector<Cell>& turned) {
+  int tx = 0;
+  int ty = 0;
+  const EvidenceTileRef* handle = nullptr;
+  EvidenceTileRef* own = nullptr;  // the same once it was written to
+  bool looked = false;
+  for (const Cell cell : cells) {
+    if (!looked || tx != cell.x >> kTileBits || ty != cell.y >> kTileBits) {
+      tx = cell.x >> kTileBits;
+      ty = cell.y >> kTileBits;
+      handle = tiles_.find(tx, ty);
+      own = nullptr;
+      looked = true;
+    }
+    const int x = cell.x & (kTileCells - 1);
+    const int y = cell.y & (kTileCells - 1);
+    const EvidenceTile* tile = handle ? handle->get() : nullptr;
+    const int before = tile ? tile->at(x, y, *counts_) : 0;
+    const int after = std::max(before - occupied, int{kMostOccupied});
+    if (before == after) continue;
+    if (!own) handle = own = &tiles_.at(tx, ty);
+    setIn(*own, x, y, static_cast<std::int8_t>(after));
+    if (before >= 0 && after < 0) turned.push_back(cell);
+  }
 }
 
 void EvidencePlane::prefetch(int tx, int ty) const {

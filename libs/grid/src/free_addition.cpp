@@ -53,7 +53,7 @@ FreeAddition::FreeAddition(const EvidenceTile& tile, const TileMask& free, const
     Lanes counted = lanes(free.rows.data(), i);
     if (apart) {
       const Lanes touched = counted & lanes(apart, i);
-      lanes(apart_.rows.data(), i) = touched;
+      lanes(apart_.data(), i) = touched;
       apart_any |= touched;
       counted &= ~touched;
     }
@@ -61,7 +61,7 @@ FreeAddition::FreeAddition(const EvidenceTile& tile, const TileMask& free, const
       counted ^= planes.mostOf(counted, i);
     else
       overflow |= planes.overflowOf(counted, i);
-    lanes(counted_.rows.data(), i) = counted;
+    lanes(counted_.data(), i) = counted;
     counted_any |= counted;
   }
   counted_any_ = any(counted_any);
@@ -75,7 +75,7 @@ BoxOfBits FreeAddition::write(EvidenceTileRef& handle) const {
   std::uint32_t* const words = tile.plane(0);
   const int planes = tile.planes();
   for (int i = 0; i < kLanes; ++i) {
-    Lanes carry = lanes(counted_.rows.data(), i);
+    Lanes carry = lanes(counted_.data(), i);
     for (int k = 0; k < planes; ++k) {  // a ripple of carries
       Lanes& bits = lanes(words, k * kLanes + i);
       const Lanes sum = bits ^ carry;
@@ -89,13 +89,13 @@ BoxOfBits FreeAddition::write(EvidenceTileRef& handle) const {
 BoxOfBits FreeAddition::addApart(EvidenceTile& tile) const {
   BoxOfBits freed;
   for (int y = 0; y < kTileCells; ++y) {
-    if (apart_.rows[y] == 0) continue;
+    if (apart_[y] == 0) continue;
     std::uint32_t freed_row = 0;
     std::uint32_t most_row = 0;
     std::int8_t* value = tile.apartValues() + tile.apartBegin()[y];
     forEachBit(tile.apart()[y], [&](int x) {
       std::int8_t& v = *value++;
-      if ((apart_.rows[y] >> x & 1U) == 0) return;
+      if ((apart_[y] >> x & 1U) == 0) return;
       const int sum = std::min(v + counts_.amount(), int{kMostFree});
       freed_row |= static_cast<std::uint32_t>(v < 0 && sum >= 0) << x;
       most_row |= static_cast<std::uint32_t>(sum == kMostFree) << x;

@@ -20,8 +20,9 @@ class FreeAddition {
   BoxOfBits addApart(EvidenceTile& tile) const;
 
   const FreeCounts& counts_;
-  TileMask counted_;  // cells whose count goes up
-  TileMask apart_;    // cells apart whose value does; not set where there are none
+  using Rows = std::array<std::uint32_t, kTileCells>;
+  alignas(16) Rows counted_;  // cells whose count goes up
+  alignas(16) Rows apart_;    // cells apart whose value does; not set where there are none
   bool counted_any_;
   bool apart_any_;
   int planes_;  // that the counts then need

@@ -46,6 +46,7 @@ class Behind {
 struct Scratch {
   ScanRaster raster;
   std::vector<CellBox> freed;
+  std::vector<Cell> turned;
 };
 
 }  // namespace
@@ -58,8 +59,9 @@ void OccupancyGrid::insert(const ScanShape& shape, const mrpt::math::TPose2D& ma
   scratch.raster.forEachTile(
       [&](int tx, int ty, const TileMask& free) { behind.add(tx, ty, free); });
   behind.finish();
-  for (const Cell cell : scratch.raster.hits())
-    if (cells_.addHit(cell.x, cell.y, evidence_.occupied)) field_.occupy(cell);
+  scratch.turned.clear();
+  cells_.addHits(scratch.raster.hits(), evidence_.occupied, scratch.turned);
+  for (const Cell cell : scratch.turned) field_.occupy(cell);
   field_.update(scratch.freed, cells_);
 }
 

@@ -31,7 +31,7 @@ grid::OccupancyGrid mapAtTe(const SavedEntry& entry, const std::vector<grid::Sca
 }
 
 // Scans inserted at once are cheaper than in turns; a later recovery then replays a few more.
-constexpr std::size_t kSparser = 4;
+constexpr std::size_t kSparser = 2;
 
 filter::Particle attach(const SavedEntry& entry, const grid::OccupancyGrid& map_at_te,
                         const filter::AncestorPtr& leaf, const std::vector<grid::ScanShape>& shapes,

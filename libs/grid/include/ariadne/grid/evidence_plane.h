@@ -10,6 +10,11 @@ namespace ariadne::grid {
 
 struct TileMask;
 
+struct Cell {
+  int x = 0;
+  int y = 0;
+};
+
 class EvidencePlane {
  public:
   static constexpr int kRows = kTileCells;  ///< of a tile
@@ -21,8 +26,9 @@ class EvidencePlane {
 
   std::int8_t at(int x, int y) const;
   void set(int x, int y, std::int8_t log_odds);
-  /// Takes `occupied` from the cell, saturating at kMostOccupied. True when it turned occupied.
-  bool addHit(int x, int y, std::int8_t occupied);
+  /// Takes `occupied` from each of the cells, saturating at kMostOccupied. Appends those that
+  /// turned occupied. Quickest where cells of one tile follow each other.
+  void addHits(const std::vector<Cell>& cells, std::int8_t occupied, std::vector<Cell>& turned);
   /// Adds the evidence for free once to each of the cells, saturating at kMostFree. The tile is
   /// written to (and perhaps copied) only when a cell of it really changes. Appends the box of the
   /// cells that ceased to be occupied, if any.
@@ -58,6 +64,7 @@ class EvidencePlane {
   void clear() { tiles_.clear(); }
 
  private:
+  void setIn(EvidenceTileRef& handle, int x, int y, std::int8_t log_odds) const;
   const FreeCounts* counts_;
   TileTable<EvidenceTileRef, kMaxSquareBlocks> tiles_;
 };

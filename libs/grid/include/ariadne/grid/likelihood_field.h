@@ -16,11 +16,6 @@
 
 namespace ariadne::grid {
 
-struct Cell {
-  int x = 0;
-  int y = 0;
-};
-
 /// The square of values around one occupied cell.
 class FieldKernel {
  public:
