@@ -73,6 +73,12 @@ void EvidenceTile::dropApart(int x, int y) {
   for (int row = y + 1; row < kTileCells; ++row) --beginForWriting()[row];
 }
 
+void EvidenceTile::appendApart(int y, std::uint32_t cells, const std::int8_t* row) {
+  apartForWriting()[y] = cells;
+  beginForWriting()[y] = apart_count_;
+  forEachBit(cells, [&](int x) { apartValues()[apart_count_++] = row[x]; });
+}
+
 EvidenceTileRef EvidenceTileRef::make(int planes, int apart) {
   const int room = roomFor(apart);
   const std::size_t bytes = EvidenceTile::bytesFor(planes, room);

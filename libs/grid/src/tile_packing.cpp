@@ -22,30 +22,53 @@ void unpack(const EvidenceTile& tile, const FreeCounts& counts, EvidencePlane::C
   cells = rows;
 }
 
-EvidenceTileRef pack(const EvidencePlane::Cells& cells, const FreeCounts& counts) {
-  int highest = 0;
-  int apart = 0;
-  for (const std::int8_t v : cells) {
-    const int count = counts.countOf(v);
-    apart += count == FreeCounts::kNone;
-    highest |= count == FreeCounts::kNone ? 0 : count;
+namespace {
+
+using Counts = std::array<std::uint8_t, kTileCells * kTileCells>;
+
+/// Bit k of 32 counts, the first one's lowest.
+std::uint32_t bitsOf(const std::uint8_t* counts, int k) {
+  std::uint32_t bits = 0;
+  for (int x = 0; x < kTileCells; x += 8) {
+    std::uint64_t eight = 0;
+    for (int i = 0; i < 8; ++i) eight |= std::uint64_t{counts[x + i]} << 8 * i;
+    // Byte i's bit, times 2^(56 - 7 i), is bit 56 + i.
+    const std::uint64_t sum = (eight >> k & 0x0101010101010101U) * 0x0102040810204080U;
+    bits |= static_cast<std::uint32_t>(sum >> 56) << x;
   }
-  if (apart == 0 && std::all_of(cells.begin(), cells.end(), [&](auto v) { return v == cells[0]; }))
-    return EvidenceTileRef::shared(counts.countOf(cells[0]));
-  int planes = 0;
-  while (highest >> planes != 0) ++planes;
+  return bits;
+}
+
+int bitWidth(int v) {
+  int bits = 0;
+  while (v >> bits != 0) ++bits;
+  return bits;
+}
+
+}  // namespace
+
+EvidenceTileRef pack(const EvidencePlane::Cells& cells, const FreeCounts& counts) {
+  Counts count;
+  std::array<std::uint32_t, kTileCells> apart{};
+  int highest = 0;
+  int apart_count = 0;
+  for (int i = 0; i < static_cast<int>(cells.size()); ++i) {
+    const int c = counts.countOf(cells[i]);
+    const bool is_apart = c == FreeCounts::kNone;
+    apart[i / kTileCells] |= static_cast<std::uint32_t>(is_apart) << i % kTileCells;
+    apart_count += is_apart;
+    count[i] = static_cast<std::uint8_t>(is_apart ? 0 : c);
+    highest |= count[i];
+  }
+  if (apart_count == 0 &&
+      std::all_of(count.begin(), count.end(), [&](auto c) { return c == count[0]; }))
+    return EvidenceTileRef::shared(count[0]);
   EvidenceTileRef packed;
-  EvidenceTile& tile = packed.write(planes, apart);
-  for (int y = 0; y < kTileCells; ++y)
-    for (int x = 0; x < kTileCells; ++x) {
-      const std::int8_t v = cells[tileOffset(x, y)];
-      const int count = counts.countOf(v);
-      if (count == FreeCounts::kNone)
-        tile.setApart(x, y, v);
-      else
-        for (int k = 0; k < planes; ++k)
-          tile.plane(k)[y] |= static_cast<std::uint32_t>(count >> k & 1) << x;
-    }
+  EvidenceTile& tile = packed.write(bitWidth(highest), apart_count);
+  for (int y = 0; y < kTileCells; ++y) {
+    for (int k = 0; k < tile.planes(); ++k) tile.plane(k)[y] = bitsOf(&count[tileOffset(0, y)], k);
+    if (apart_count > 0) tile.appendApart(y, apart[y], &cells[tileOffset(0, y)]);
+  }
   return packed;
 }
 

@@ -62,6 +62,9 @@ class alignas(16) EvidenceTile {
   void setApart(int x, int y, std::int8_t log_odds);
   /// Its count becomes 0.
   void dropApart(int x, int y);
+  /// Row y's cells apart, of a new tile and after those of the rows before; the counts of `cells`
+  /// must be 0. Takes row[x] for each bit x.
+  void appendApart(int y, std::uint32_t cells, const std::int8_t* row);
 
  private:
   friend class EvidenceTileRef;
