@@ -107,3 +107,17 @@ TEST_F(Storing, ADamagedResultIsNamed) {
     EXPECT_NE(std::string(e.what()).find(plan.runs[0].key + ".json"), std::string::npos);
   }
 }
+
+TEST_F(Storing, OfADeadOwnerOnlyItsOwnIsCleared) {
+  const batch::Store store(results());
+  store.writePlan(plan);
+  const fs::path dead = results() / "runs" / ".k.77-99.part.json";
+  const fs::path living =
+      results() / "runs" / ".k.77-98.part.json";  // of a later one, or elsewhere
+  for (const fs::path& file : {dead, living}) io::writeWhole(file, std::string_view("{"));
+  fs::create_directories(store.scratch("elsewhere-77-99"));
+  store.clearAfter("elsewhere-77-99");
+  EXPECT_FALSE(fs::exists(dead));
+  EXPECT_TRUE(fs::exists(living));
+  EXPECT_FALSE(fs::exists(store.scratch("elsewhere-77-99")));
+}
