@@ -56,6 +56,15 @@ TEST_F(HandingOut, WhatSomebodyLivingDoesIsNotHandedOutAgain) {
   EXPECT_EQ(open(100), (Numbers{1, 2, 3, 4, 5, 6, 7, 8, 9, 10})) << "empty slices are not";
 }
 
+TEST_F(HandingOut, WhatFailedIsAgainNobodysUnlessItsTaskWaits) {
+  const std::set<std::string> again{plan.runs[1].key};  // in slice 2 of 4
+  const auto slices = [&](bool waits) {
+    return cluster::openSlices(plan, store(), 4, {{1, 4}, {2, 4, waits}}, again);
+  };
+  EXPECT_EQ(slices(false), (Numbers{2, 3, 4}));
+  EXPECT_EQ(slices(true), (Numbers{3, 4}));
+}
+
 TEST_F(HandingOut, RangesAsSbatchTakesThem) {
   EXPECT_EQ(cluster::rangesText({}), "");
   EXPECT_EQ(cluster::rangesText({7}), "7");
