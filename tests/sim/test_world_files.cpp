@@ -140,7 +140,7 @@ TEST_F(WorldFiles, OfARosMapEveryKeyCounts) {
   refused("image: m.pgm\nresolution: 0.1\norigin: [1e30, 0]\n", "origin: [1e30, 0]: takes");
   refused("image: none.pgm\nresolution: 0.1\norigin: [0, 0]\n", "none.pgm cannot be read");
   refused("image: m.pgm\n[what\n", "line 2: \"[what\" is not key: value");
-  refused("%eag: \x1e\x03\x19\xe3\xa0\xff\x7f", "is missing");  // MRPT's parser hangs on it
+  refused("%eag: \x1e\x03\x19\xe3\xa0\xff\x7f", "is missing");  // the fuzzer's input
 }
 
 TEST_F(WorldFiles, StartsAreDrawnOnFreeFloor) {

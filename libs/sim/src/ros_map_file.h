@@ -1,5 +1,5 @@
 // Maps of ROS map_server: a YAML and its picture. Read here and not by MRPT, whose YAML parser
-// (libfyaml 0.7) hangs on 17 bytes.
+// (libfyaml 0.7) did not come back from 17 bytes in a minute of a busy machine.
 #pragma once
 #include <mrpt/maps/COccupancyGridMap2D.h>
 
