@@ -32,7 +32,8 @@ Requirement parseRequirement(const std::string& text, const std::vector<std::str
   std::smatch part;
   Requirement r{text, "", "", 0};
   char* end = nullptr;
-  const bool fits = std::regex_match(text, part, form);
+  // std::regex recurses by the character: a long text would take the stack.
+  const bool fits = text.size() < 1000 && std::regex_match(text, part, form);
   const std::string number = fits ? part[3].str() : "";
   if (fits) r.bound = std::strtod(number.c_str(), &end);
   if (!fits || *end != '\0' || !std::isfinite(r.bound))

@@ -20,7 +20,8 @@ int collect(const batch::Plan& plan, const batch::Store& store, std::ostream& ou
   const batch::Counts counts = batch::countRuns(plan, results.results());
   if (counts.missing() > 0) {
     fmt::print(err,
-               "ariadne-experiment: {} of {} runs have no result yet: see status {}; submit again "
+               "ariadne-experiment: {} of {} runs have no result yet: see ariadne-experiment "
+               "status {}; submit again "
                "hands out what nobody does, table shows what there is\n",
                counts.missing(), counts.planned, store.folder().string());
     return 1;

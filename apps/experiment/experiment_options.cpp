@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "ariadne/core/error.h"
+#include "named_choice.h"
 #include "submit_options.h"
 
 namespace ariadne::experiment_app {
@@ -82,8 +83,10 @@ std::optional<Options> parseOptions(const std::vector<std::string>& args, std::o
   run->add_option("EXPERIMENT", o.ini, "INI of the experiment")->required();
   run->add_option("--out", o.folder, "results folder");
   addJobs(run, o);
-  run->add_option("--first", o.first, "first seed, instead of the INI's");
-  run->add_option("--last", o.last, "last seed, instead of the INI's");
+  run->add_option("--first", o.first, "first seed, instead of the INI's")
+      ->check(CLI::NonNegativeNumber);
+  run->add_option("--last", o.last, "last seed, instead of the INI's")
+      ->check(CLI::NonNegativeNumber);
   run->add_flag("--dry-run", o.dry_run, "show the plan and stop");
   run->add_flag("--again-failed", o.again_failed, "do runs that failed again");
   CLI::App* work = app.add_subcommand("work", "Do a slice of the plan in FOLDER, made by run");
@@ -93,7 +96,7 @@ std::optional<Options> parseOptions(const std::vector<std::string>& args, std::o
   CLI::App* table = app.add_subcommand("table", "The table of what is finished");
   table->add_option("FOLDER", o.folder, "results folder")->required();
   table->add_option("--format", o.format, "text, csv, markdown or latex")
-      ->transform(CLI::CheckedTransformer(formats()).description(""));
+      ->transform(oneOf(formats()));
   CLI::App* plot =
       app.add_subcommand("plot", "Plots of what is finished: FOLDER/plots, SVG and PNG");
   plot->add_option("FOLDER", o.folder, "results folder")->required();

@@ -16,9 +16,14 @@ batch::Plan planFor(const Options& o) {
   return batch::planOf(experiment);
 }
 
-void forgetFailed(const batch::Plan& plan, const batch::Store& store) {
-  for (const auto& [key, result] : store.results(plan))
-    if (!result.failure.empty()) store.forget(key);
+std::set<std::string> forgetFailed(const batch::Plan& plan, const batch::Store& store) {
+  std::set<std::string> keys;
+  for (const auto& [key, result] : store.results(plan)) {
+    if (result.failure.empty()) continue;
+    store.forget(key);
+    keys.insert(key);
+  }
+  return keys;
 }
 
 }  // namespace ariadne::experiment_app

@@ -23,7 +23,7 @@ std::vector<cluster::Slice> livingSlices(const std::vector<cluster::Submission>&
     for (const auto& s : submissions)
       // A task reads the plan when it starts; one that runs has the slice of the plan it read.
       if (s.name == task.name && (s.plan == plan || task.state == "PENDING"))
-        living.push_back({task.slice, s.slices});
+        living.push_back({task.slice, s.slices, task.state == "PENDING"});
   return living;
 }
 

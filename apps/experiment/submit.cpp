@@ -39,7 +39,8 @@ cluster::WorkerCall workerFor(const Options& o, const Plan& plan, const Store& s
 
 /// Slices for this call; says so when there are none.
 std::vector<std::size_t> slicesFor(const Options& o, const Plan& plan, const Store& store,
-                                   std::size_t slices, std::ostream& out, std::ostream& err) {
+                                   std::size_t slices, const std::set<std::string>& again,
+                                   std::ostream& out, std::ostream& err) {
   const auto submissions = Submissions(store.folder()).all();
   const cluster::Queue queue = askAbout(submissions);
   if (!queue.problem.empty() && !o.script_only && o.engine == Engine::slurm)
@@ -49,7 +50,7 @@ std::vector<std::size_t> slicesFor(const Options& o, const Plan& plan, const Sto
     fmt::print(err, "ariadne-experiment: which slices still live is not known: {}\n",
                queue.problem);
   const auto living = livingSlices(submissions, queue, store);
-  auto open = cluster::openSlices(plan, store, slices, living);
+  auto open = cluster::openSlices(plan, store, slices, living, again);
   if (open.empty() && living.empty())
     fmt::print(out, "Nothing is left to do: ariadne-experiment collect {}\n",
                store.folder().string());
@@ -109,9 +110,9 @@ int submit(const Options& o, std::ostream& out, std::ostream& err) {
   if (o.engine == Engine::slurm) warnOfTime(o, plan, err);
   const Store store(o.folder);
   store.writePlan(plan);
-  if (o.again_failed) forgetFailed(plan, store);
+  const auto again = o.again_failed ? forgetFailed(plan, store) : std::set<std::string>();
   const cluster::WorkerCall worker = workerFor(o, plan, store);
-  const auto slices = slicesFor(o, plan, store, worker.slices, out, err);
+  const auto slices = slicesFor(o, plan, store, worker.slices, again, out, err);
   if (slices.empty()) return 0;
   Submission s =
       Submissions(store.folder()).begin(o.engine == Engine::slurm ? "slurm" : "parallel");

@@ -5,16 +5,42 @@
 
 #include <filesystem>
 #include <ostream>
+#include <tuple>
+#include <vector>
 
 #include "ariadne/batch/program.h"
+#include "ariadne/batch/store.h"
 #include "ariadne/cluster/called.h"
+#include "ariadne/cluster/slurm_script.h"
 #include "ariadne/core/error.h"
 
 namespace ariadne::experiment_app {
+namespace {
+
+/// An option that the engine asked for would never look at.
+void refuseOthers(const Options& o) {
+  const bool slurm = o.engine == Engine::slurm;
+  for (const auto& [given, option, is_slurms] : std::vector<std::tuple<bool, const char*, bool>>{
+           {!o.slurm.partition.empty(), "--partition", true},
+           {!o.slurm.time.empty(), "--time", true},
+           {!o.slurm.memory.empty(), "--mem", true},
+           {o.slurm.array_limit > 0, "--array-limit", true},
+           {!o.slurm.more.empty(), "--sbatch", true},
+           {o.script_only, "--script-only", true},
+           {!o.parallel.sshloginfile.empty(), "--sshloginfile", false},
+           {o.parallel.host_limit > 0, "--host-limit", false}})
+    if (given && is_slurms != slurm)
+      throw core::UsageError(fmt::format("{} goes with --engine {} (see submit --help)", option,
+                                         is_slurms ? "slurm" : "parallel"));
+}
+
+}  // namespace
 
 void checkSubmit(const Options& o) {
+  refuseOthers(o);
   if (o.engine == Engine::slurm) {
     cluster::check(o.slurm);
+    cluster::sbatchName(batch::Store(o.folder).folder());
     if (!o.script_only && batch::findInPath("sbatch").empty())
       throw core::UsageError(
           "there is no sbatch in PATH: install Debian's package slurm-client and the cluster's "

@@ -2,6 +2,8 @@
 
 #include <map>
 
+#include "named_choice.h"
+
 namespace ariadne::experiment_app {
 namespace {
 
@@ -28,15 +30,16 @@ CLI::App* addSubmit(CLI::App& app, Options& o) {
   sub->footer(kFooter);
   sub->add_option("EXPERIMENT", o.ini, "INI of the experiment")->required();
   sub->add_option("--out", o.folder, "results folder, shared by all machines")->required();
-  sub->add_option("--engine", o.engine, "slurm (default) or parallel")
-      ->transform(CLI::CheckedTransformer(engines()).description(""));
+  sub->add_option("--engine", o.engine, "slurm (default) or parallel")->transform(oneOf(engines()));
   sub->add_option("--slices", o.handed_slices,
                   "into how many tasks the plan is cut; default: one a run, at most 1000")
       ->check(CLI::Range(1, 4000000));
   sub->add_option("--jobs", o.jobs, "runs at a time in a task; default 1")
       ->check(CLI::Range(1, 1024));
-  sub->add_option("--first", o.first, "first seed, instead of the INI's");
-  sub->add_option("--last", o.last, "last seed, instead of the INI's");
+  sub->add_option("--first", o.first, "first seed, instead of the INI's")
+      ->check(CLI::NonNegativeNumber);
+  sub->add_option("--last", o.last, "last seed, instead of the INI's")
+      ->check(CLI::NonNegativeNumber);
   sub->add_flag("--again-failed", o.again_failed, "do runs that failed again");
 
   const auto slurm = [sub](CLI::Option* option) { option->group("With --engine slurm"); };

@@ -55,6 +55,11 @@ TEST(Comparison, IsWrittenWithItsRequirements) {
   EXPECT_EQ(json["figures"]["cpu_s"]["stock"]["max"], 40);
 }
 
+TEST(Requirement, OfAnyLengthIsAnsweredAndNotAnOverflow) {
+  for (const std::string& text : {std::string(200000, 'a'), "a<" + std::string(200000, '1')})
+    EXPECT_THROW(parseRequirement(text, {"a"}, {}), core::UsageError);
+}
+
 TEST_F(ChildProcess, IsMeasuredByItself) {
   // A shell that keeps one core busy for a while; its memory is not that of this process.
   const auto costs = runChild(

@@ -137,6 +137,11 @@ TEST_F(Submit, FailedRunsAreToldAndHandedOutWhenAsked) {
   EXPECT_TRUE(fs::exists(results() / "tables" / "table.tex"));
   ASSERT_EQ(submit({"--slices", "4", "--again-failed"}), 0) << err;
   EXPECT_TRUE(handed("3-4")) << submitted();
+  EXPECT_EQ(work("3/4"), 1);
+  const std::string name = nameOfJob();
+  queue(name + "|17|3|RUNNING|None\n" + name + "|17|4|PENDING|Resources\n");
+  ASSERT_EQ(submit({"--slices", "4", "--again-failed"}), 0) << err;
+  EXPECT_TRUE(handed("3")) << "its task is past the run that failed: " << submitted();
 }
 
 TEST_F(Submit, StatusSaysWhatSlurmSays) {
@@ -157,6 +162,10 @@ TEST_F(Submit, StatusSaysWhatSlurmSays) {
   command("squeue", "echo 'Unable to contact slurm controller' >&2; exit 1");
   ASSERT_EQ(run({"status", results().string()}), 0) << err;
   EXPECT_TRUE(says("Of Slurm's queue nothing is known: squeue: Unable to contact")) << out;
+  command("squeue", "echo 'squeue: error: no controller' >&2; exit 1");
+  ASSERT_EQ(run({"status", results().string()}), 0) << err;
+  EXPECT_TRUE(says("nothing is known: squeue: error: no")) << out;
+  command("squeue", "echo 'Unable to contact slurm controller' >&2; exit 1");
   EXPECT_EQ(submit(), 1) << "what lives may not be handed out twice";
   EXPECT_TRUE(says("nothing was submitted: squeue: Unable")) << err;
 }
@@ -210,8 +219,20 @@ TEST_F(Submit, WrongUse) {
                                              {"--slices", "0"},
                                              {"--engine", "pbs"},
                                              {"--mem", "much"},
+                                             {"--first", "-1"},
+                                             {"--engine", "0"},
+                                             {"--sshloginfile", "x"},
+                                             {"--engine", "parallel", "--time", "5"},
+                                             {"--engine", "parallel", "--script-only"},
                                              {"--jobs", "0"}})
     EXPECT_EQ(submit(wrong), 2) << wrong[0];
+  EXPECT_EQ(submit({"--engine", "pbs"}), 2);
+  EXPECT_TRUE(says("--engine: pbs: takes one of parallel, slurm")) << err;
+  EXPECT_EQ(run({"submit", ini().string(), "--out", results().string() + "\"", "--script-only"}),
+            2);
+  EXPECT_FALSE(fs::exists(results().string() + "\"")) << "said before anything is done";
+  EXPECT_EQ(submit({"--host-limit", "2"}), 2);
+  EXPECT_TRUE(says("--host-limit goes with --engine parallel")) << err;
   EXPECT_FALSE(fs::exists(results()));
   EXPECT_EQ(submit({"--time", "5"}), 0);
   EXPECT_TRUE(says("a longer run would never come to its end")) << err;

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <set>
 
 #include "ariadne/batch/plan.h"
@@ -95,6 +97,11 @@ TEST_F(Planning, ErrorsNameWhatIsMissing) {
   writeExperiment("[factor.w]\nkey = --world\nvalues = none/x.world\n");
   EXPECT_NE(message().find("[factor.w] values: there is no file none/x.world"), std::string::npos)
       << message();
+  std::string factors;  // 1e12 combinations: told before any of them is made
+  for (int i = 0; i < 12; ++i)
+    factors += fmt::format("[factor.f{0}]\nkey = a.k{0}\nvalues = 0,1,2,3,4,5,6,7,8,9\n", i);
+  writeExperiment(factors);
+  EXPECT_NE(message().find("2e+13 runs are more than 1000000"), std::string::npos) << message();
   writeExperiment("[seeds]\nfirst = 0\nlast = 999999999\n");
   EXPECT_NE(message().find("fewer seeds"), std::string::npos) << message();
 }

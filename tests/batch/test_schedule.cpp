@@ -208,3 +208,19 @@ TEST_F(Scheduling, FilesAreKeptWhereAskedFor) {
   run();
   EXPECT_EQ(io::readWhole(store().files(plan.runs[1].key) / "map.txt"), "map\n");
 }
+
+TEST_F(Scheduling, AProgramBuiltAgainMeanwhileGivesNoResult) {
+  writeExperiment("[seeds]\nlast = 4\n");
+  writeProgram("[ $seed = 3 ] && echo '# of a later version' >> \"$here/program.sh\"");
+  plan = batch::planOf(batch::readExperiment(ini()));
+  store().writePlan(plan);
+  try {
+    batch::doRuns(store(), plan, options);  // one at a time
+    FAIL() << "under the old program's keys";
+  } catch (const core::Error& e) {
+    EXPECT_NE(std::string(e.what()).find("program.sh is not what it was"), std::string::npos)
+        << e.what();
+  }
+  EXPECT_EQ(store().results(plan).size(), 4U) << "of seeds 1 and 2";
+  EXPECT_EQ(entriesOf("claims"), 1U) << "given back";
+}

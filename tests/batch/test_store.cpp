@@ -54,6 +54,25 @@ TEST_F(Storing, APlanOfBeforeThereWerePlotsIsRead) {
   EXPECT_TRUE(store.readPlan().plots.has("value"));
 }
 
+TEST_F(Storing, NumbersThatARunCannotHaveAreNamed) {
+  batch::Store(results()).writePlan(plan);
+  const std::string good = io::readWhole(results() / "plan.json");
+  for (const auto& [key, value] :
+       {std::pair("threads", "99999999999"), {"seed", "-1"}, {"arm", "0.5"}}) {
+    std::string text = good;
+    const std::size_t at = text.find(':', text.find(std::string("\"") + key + "\"")) + 1;
+    text.replace(at, text.find_first_of(",\n", at) - at, value);
+    io::writeWhole(results() / "plan.json", text);
+    try {
+      batch::Store(results()).readPlan();
+      FAIL() << key;
+    } catch (const core::Error& e) {
+      EXPECT_NE(std::string(e.what()).find(std::string(key) + " is " + value), std::string::npos)
+          << e.what();
+    }
+  }
+}
+
 TEST_F(Storing, AFolderOfAnotherExperimentIsRefused) {
   batch::Store(results()).writePlan(plan);
   plan.title = "Another";
@@ -106,4 +125,18 @@ TEST_F(Storing, ADamagedResultIsNamed) {
   } catch (const core::Error& e) {
     EXPECT_NE(std::string(e.what()).find(plan.runs[0].key + ".json"), std::string::npos);
   }
+}
+
+TEST_F(Storing, OfADeadOwnerOnlyItsOwnIsCleared) {
+  const batch::Store store(results());
+  store.writePlan(plan);
+  const fs::path dead = results() / "runs" / ".k.77-99.part.json";
+  const fs::path living =
+      results() / "runs" / ".k.77-98.part.json";  // of a later one, or elsewhere
+  for (const fs::path& file : {dead, living}) io::writeWhole(file, std::string_view("{"));
+  fs::create_directories(store.scratch("elsewhere-77-99"));
+  store.clearAfter("elsewhere-77-99");
+  EXPECT_FALSE(fs::exists(dead));
+  EXPECT_TRUE(fs::exists(living));
+  EXPECT_FALSE(fs::exists(store.scratch("elsewhere-77-99")));
 }

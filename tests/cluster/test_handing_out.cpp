@@ -56,6 +56,15 @@ TEST_F(HandingOut, WhatSomebodyLivingDoesIsNotHandedOutAgain) {
   EXPECT_EQ(open(100), (Numbers{1, 2, 3, 4, 5, 6, 7, 8, 9, 10})) << "empty slices are not";
 }
 
+TEST_F(HandingOut, WhatFailedIsAgainNobodysUnlessItsTaskWaits) {
+  const std::set<std::string> again{plan.runs[1].key};  // in slice 2 of 4
+  const auto slices = [&](bool waits) {
+    return cluster::openSlices(plan, store(), 4, {{1, 4}, {2, 4, waits}}, again);
+  };
+  EXPECT_EQ(slices(false), (Numbers{2, 3, 4}));
+  EXPECT_EQ(slices(true), (Numbers{3, 4}));
+}
+
 TEST_F(HandingOut, RangesAsSbatchTakesThem) {
   EXPECT_EQ(cluster::rangesText({}), "");
   EXPECT_EQ(cluster::rangesText({7}), "7");
@@ -82,6 +91,18 @@ TEST_F(HandingOut, SubmissionsHaveNamesOfTheirOwnAndAreReadBack) {
   EXPECT_EQ(all[0].handed, (Numbers{1, 3}));
   EXPECT_EQ(all[0].plan, "abc");
   EXPECT_EQ(all[1].engine, "parallel");
+  const std::string good = io::readWhole(jobs.folder(first) / "job.json");
+  for (const char* slices : {"-4", "4.5", "1e300", "\"4\"", "0"}) {
+    std::string bad = good;
+    bad.replace(bad.find("\"slices\":4") + 9, 1, slices);
+    io::writeWhole(jobs.folder(first) / "job.json", bad);
+    try {
+      jobs.all();
+      FAIL() << slices;
+    } catch (const core::Error& e) {
+      EXPECT_NE(std::string(e.what()).find("slices is "), std::string::npos) << e.what();
+    }
+  }
   io::writeWhole(jobs.folder(first) / "job.json", std::string_view("{\"number\": 1}"));
   EXPECT_THROW(jobs.all(), core::Error);
 }

@@ -91,6 +91,8 @@ TEST(SlurmOptions, WrongOnesAreNamed) {
   EXPECT_TRUE(has(problem([](auto& o) { o.time = "1h"; }), "--time 1h: takes"));
   EXPECT_TRUE(has(problem([](auto& o) { o.time = "0"; }), "--time 0: takes"));
   EXPECT_TRUE(has(problem([](auto& o) { o.partition = "a b"; }), "--partition a b: takes"));
+  EXPECT_TRUE(has(problem([](auto& o) { o.partition.assign(200000, 'a'); }), "takes the name"));
+  EXPECT_TRUE(has(problem([](auto& o) { o.memory.assign(200000, '1'); }), "--mem 1"));
   EXPECT_TRUE(has(problem([](auto& o) { o.memory = "4 G"; }), "--mem 4 G: takes"));
   EXPECT_TRUE(has(problem([](auto& o) { o.more = {"account"}; }), "--sbatch account: takes"));
 }

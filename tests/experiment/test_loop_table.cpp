@@ -34,6 +34,20 @@ TEST(LoopRows, ReadBackToTheSameBytes) {
   EXPECT_EQ(experiment::toCsv(experiment::readRows(file)), csv);
   std::ofstream(file) << csv << "ring,10\n";
   EXPECT_THROW(experiment::readRows(file), core::Error);
+  // A bool, a count and a lap that C++ could not convert.
+  for (const char* wrong :
+       {"ring,1e300,1,1,1", "ring,10,-1,1,1", "ring,10,1,nan,1", "ring,10,1,1,7"}) {
+    const std::string line = csv.substr(csv.find("\nring") + 1);
+    std::size_t cut = 0;
+    for (int cell = 0; cell < 5; ++cell) cut = line.find(',', cut) + 1;
+    std::ofstream(file) << csv << wrong << "," << line.substr(cut, line.find('\n') + 1 - cut);
+    try {
+      experiment::readRows(file);
+      FAIL() << wrong;
+    } catch (const core::Error& e) {
+      EXPECT_NE(std::string(e.what()).find("takes a whole number"), std::string::npos) << e.what();
+    }
+  }
   std::ofstream(file) << "a,b\n";
   EXPECT_THROW(experiment::readRows(file), core::Error);
   std::filesystem::remove(file);

@@ -153,7 +153,7 @@ TEST_F(DatasetWriters, AFullDiskIsAnError) {
   // /dev/full takes no byte; the writer's buffers hide that until they are flushed.
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
   io::writeWhole(folder / "a.log", carmenLog(5));
-  const auto temporary = folder / (".b." + std::to_string(::getpid()) + ".part.rawlog");
+  const auto temporary = folder / (".b." + io::writerMark() + ".part.rawlog");
   std::filesystem::create_symlink("/dev/full", temporary);
   EXPECT_THROW(io::writeRawlog(folder / "b.rawlog", from(*io::openDataset(folder / "a.log"))),
                ariadne::core::Error);

@@ -117,6 +117,18 @@ TEST(StockIni, ReadsValuesAsMrptDoes) {
   EXPECT_EQ(stock("RANDOM_SEED=-1\n").params.filter.seed, filter::FilterParams().seed);
 }
 
+TEST(StockIni, ASmallFileDoesNotBecomeGigabytes) {
+  std::string text = "@define a " + std::string(60000, 'x') + "\n";
+  for (int i = 0; i < 40000; ++i) text += "${a}\n";  // 2.4 GB of 0.3 MB
+  try {
+    stock(text);
+    FAIL();
+  } catch (const core::UsageError& e) {
+    EXPECT_NE(std::string(e.what()).find("a.ini: 40000 times ${name}"), std::string::npos)
+        << e.what();
+  }
+}
+
 TEST(StockIni, RubbishIsAnErrorWithItsPlace) {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"sampleSize = many\n", "a.ini:2: [MappingApplication] sampleSize = many: it takes a number"},

@@ -1,5 +1,8 @@
 // Worlds that other programs made.
 #include <gtest/gtest.h>
+#include <mrpt/io/CFileGZInputStream.h>
+
+#include <cstring>
 
 #include "../io/temporary_folder.h"
 #include "ariadne/io/map_files.h"
@@ -79,6 +82,65 @@ TEST_F(WorldFiles, BadFilesAreNamed) {
   unknown.fill(0.5F);
   io::writeGridmap(folder / "u.gridmap.gz", unknown);
   expectError<core::Error>([&] { readWorld(folder / "u.gridmap.gz"); }, {"no free cell"});
+}
+
+TEST_F(WorldFiles, AFileOfFewBytesDoesNotTakeMuchMemory) {
+  io::writeGridmap(folder / "good.gridmap.gz", drawn.map);
+  std::string bytes(1 << 20, '\0');
+  mrpt::io::CFileGZInputStream unpacked((folder / "good.gridmap.gz").string());
+  bytes.resize(unpacked.Read(bytes.data(), bytes.size()));
+  // Behind the class's name, version and bits of a cell: cells in x and y, then sides and
+  // resolution.
+  const std::size_t at = 3 + (static_cast<unsigned char>(bytes[0]) & 0x7fU);
+  const auto claim = [&](std::uint32_t cells) {
+    const float sides[5] = {0, 0.05F * static_cast<float>(cells), 0,
+                            0.05F * static_cast<float>(cells), 0.05F};
+    for (const std::size_t offset : {0, 4}) std::memcpy(&bytes[at + offset], &cells, 4);
+    std::memcpy(&bytes[at + 8], sides, sizeof(sides));
+    io::writeWhole(folder / "bad.gridmap", bytes);
+  };
+  claim(65536);  // no cell at all, in 32 bits
+  expectError<core::Error>([&] { readWorld(folder / "bad.gridmap"); },
+                           {"bad.gridmap", "claims 65536 x 65536 cells"});
+  claim(9000);
+  expectError<core::Error>([&] { readWorld(folder / "bad.gridmap"); }, {"ends early"});
+  std::string png("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x20\0\0\0\x20\0\x08\0\0\0\0", 29);
+  io::writeWhole(folder / "bad.png", png);
+  expectError<core::Error>([&] { sim::readWorldPicture(folder / "bad.png", 0.05); },
+                           {"bad.png", "8192 x 8192 pixels in 29 bytes"});
+  io::writeWhole(folder / "bad.pgm", std::string_view("P5\n# c\n70000 70000\n255\n"));
+  expectError<core::Error>([&] { sim::readWorldPicture(folder / "bad.pgm", 0.05); },
+                           {"bad.pgm", "claims 70000 x 70000 cells"});
+}
+
+TEST_F(WorldFiles, OfARosMapEveryKeyCounts) {
+  // Brightness 0, 100, 200, 255; the upper row is the northern one.
+  io::writeWhole(folder / "m.pgm", std::string_view("P5\n4 2\n255\n\0\x64\xc8\xff\0\0\0\0", 19));
+  const auto floor = [&](const std::string& more) {
+    io::writeWhole(folder / "m.yaml",
+                   "# by hand\nimage: 'm.pgm'  # beside\nresolution: 0.5\n" + more);
+    const World world = readWorld(folder / "m.yaml");
+    EXPECT_FLOAT_EQ(world.map.getXMin(), -1);
+    EXPECT_FLOAT_EQ(world.map.getYMin(), 2);
+    std::string row;
+    for (int x = 0; x < 4; ++x) row += world.map.getCell(x, 1) > 0.5F ? '.' : '#';
+    return row;
+  };
+  EXPECT_EQ(floor("origin: [-1.0, 2.0, 0.0]\n"), "###.");
+  EXPECT_EQ(floor("origin: [-1, 2, 0]\nfree_thresh: 0.25\nnegate: 0\n"), "##..");
+  EXPECT_EQ(floor("origin:\n- -1\n- 2\n- 0\nnegate: 1\nfree_thresh: 0.5\nmode: trinary\n"), "..##");
+  const auto refused = [&](const std::string& yaml, const char* why) {
+    io::writeWhole(folder / "m.yaml", yaml);
+    expectError<core::Error>([&] { readWorld(folder / "m.yaml"); }, {"m.yaml", why});
+  };
+  const std::string good = "image: m.pgm\norigin: [0, 0, 0]\n";
+  refused(good, "resolution is missing");
+  refused(good + "resolution: 1e-30\n", "resolution: 1e-30: takes a number from 0.005 to 0.5");
+  refused(good + "resolution: 0.1\nmode: raw\n", "mode: raw: trinary and scale");
+  refused("image: m.pgm\nresolution: 0.1\norigin: [1e30, 0]\n", "origin: [1e30, 0]: takes");
+  refused("image: none.pgm\nresolution: 0.1\norigin: [0, 0]\n", "none.pgm cannot be read");
+  refused("image: m.pgm\n[what\n", "line 2: \"[what\" is not key: value");
+  refused("%eag: \x1e\x03\x19\xe3\xa0\xff\x7f", "is missing");  // the fuzzer's input
 }
 
 TEST_F(WorldFiles, StartsAreDrawnOnFreeFloor) {

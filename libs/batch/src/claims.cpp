@@ -43,8 +43,7 @@ bool createAlone(const fs::path& file, const std::string& content) {
 
 Claims::Claims(fs::path folder, std::chrono::seconds patience)
     : folder_(std::move(folder)), patience_(patience), host_(machineName()) {
-  const std::string pid = std::to_string(::getpid());
-  owner_ = fmt::format("{}-{}-{}", host_, pid, startOf(pid));
+  owner_ = host_ + "-" + io::writerMark();
   std::error_code error;
   fs::create_directories(folder_ / "owners", error);
   fs::remove(ownerFile(owner_), error);
@@ -76,7 +75,7 @@ double Claims::silence_s(const std::string& owner) const {
 bool Claims::isAlive(const std::string& owner) const {
   if (isHere(owner)) {
     const OwnerParts parts = partsOf(owner);
-    return startOf(parts.pid) == parts.start;
+    return io::startOf(parts.pid) == parts.start;
   }
   return silence_s(owner) < static_cast<double>(patience_.count());
 }

@@ -1,6 +1,8 @@
 #include "ariadne/batch/content_hash.h"
 
+#include <fmt/format.h>
 #include <mrpt/system/md5.h>
+#include <sys/stat.h>
 
 #include <sstream>
 
@@ -26,7 +28,19 @@ fs::path pictureOf(const fs::path& yaml, const std::string& text) {
   return {};
 }
 
+bool isMapYaml(const fs::path& file) {
+  return file.extension() == ".yaml" || file.extension() == ".yml";
+}
+
 }  // namespace
+
+std::string stampOf(const fs::path& file) {
+  struct stat s {};
+  if (::stat(file.c_str(), &s) != 0) return {};
+  const fs::path picture = isMapYaml(file) ? pictureOf(file, io::readWhole(file)) : fs::path();
+  return fmt::format("{} {} {} {}.{} {}", s.st_dev, s.st_ino, s.st_size, s.st_mtim.tv_sec,
+                     s.st_mtim.tv_nsec, isMapYaml(picture) ? "" : stampOf(picture));
+}
 
 std::string hashOf(const std::string& text) { return mrpt::system::md5(text); }
 
@@ -36,7 +50,7 @@ const std::string& FileHashes::of(const fs::path& file) {
   try {
     const std::string text = io::readWhole(file);
     std::string hash = hashOf(text);
-    if (file.extension() == ".yaml" || file.extension() == ".yml")
+    if (isMapYaml(file))
       if (const fs::path picture = pictureOf(file, text); !picture.empty())
         hash = hashOf(hash + hashOf(io::readWhole(picture)));
     at->second = hash;

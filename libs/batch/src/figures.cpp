@@ -18,14 +18,16 @@ namespace {
 
 using nlohmann::json;
 
-void collect(const json& at, const std::string& name, Figures& figures) {
+void collect(const json& at, const std::string& name, int depth, Figures& figures) {
+  if (depth > 100) throw core::Error("the JSON is nested deeper than 100");  // the stack has an end
   if (at.is_boolean())
     figures[name] = at.get<bool>() ? 1 : 0;
   else if (at.is_number() && std::isfinite(at.get<double>()))
     figures[name] = at.get<double>();
   else if (at.is_object())
     for (const auto& [key, value] : at.items())
-      if (key != "parameters") collect(value, name.empty() ? key : name + "." + key, figures);
+      if (key != "parameters")
+        collect(value, name.empty() ? key : name + "." + key, depth + 1, figures);
 }
 
 std::vector<std::string> cellsOf(std::string line) {
@@ -51,7 +53,7 @@ double ateOf(const std::filesystem::path& trajectory, const std::string& truth) 
 Figures figuresOfSummary(const std::string& text, const std::string& name) {
   try {
     Figures figures;
-    collect(json::parse(text), "", figures);
+    collect(json::parse(text), "", 0, figures);
     return figures;
   } catch (const json::exception& e) {
     throw core::Error(fmt::format("{} is no JSON: {}", name, e.what()));

@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "ariadne/batch/claims.h"
 #include "ariadne/batch/content_hash.h"
@@ -12,17 +11,6 @@
 namespace ariadne::batch {
 
 namespace fs = std::filesystem;
-
-std::string startOf(const std::string& pid) {
-  std::ifstream file("/proc/" + pid + "/stat");
-  std::string text((std::istreambuf_iterator<char>(file)), {});
-  const std::size_t name_end = text.rfind(')');
-  if (name_end == std::string::npos) return {};
-  std::istringstream fields(text.substr(name_end + 1));
-  std::string field;
-  for (int i = 3; i <= 22; ++i) fields >> field;
-  return field;
-}
 
 OwnerParts partsOf(const std::string& owner) {
   const std::size_t second = owner.rfind('-');

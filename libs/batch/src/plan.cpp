@@ -53,12 +53,14 @@ class Planner {
   }
 
   Plan run() {
+    double runs = (static_cast<double>(x_.last_seed - x_.first_seed) + 1) *
+                  static_cast<double>(x_.arms.size());
+    for (const Factor& factor : x_.factors) runs *= static_cast<double>(factor.values.size());
+    if (!(runs <= kMostRuns))
+      throw core::UsageError(
+          fmt::format("{}: {:.6g} runs are more than {:.0f}: fewer seeds or values?",
+                      x_.file.string(), runs, kMostRuns));
     const auto combinations = combinationsOf(x_.factors);
-    const double runs = (static_cast<double>(x_.last_seed - x_.first_seed) + 1) *
-                        static_cast<double>(combinations.size() * x_.arms.size());
-    if (runs > kMostRuns)
-      throw core::UsageError(fmt::format("{}: {:.0f} runs are more than {:.0f}: fewer seeds?",
-                                         x_.file.string(), runs, kMostRuns));
     std::vector<Prepared> prepared;  // combination by combination, arm by arm
     for (const Combination& values : combinations)
       for (std::size_t arm = 0; arm < x_.arms.size(); ++arm)

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "ariadne/batch/json_numbers.h"
 #include "ariadne/core/error.h"
 
 namespace ariadne::batch {
@@ -32,8 +33,12 @@ Json runJson(const PlannedRun& run) {
 }
 
 PlannedRun runOf(const Json& json, const Plan& plan) {
-  PlannedRun run{json.at("seed"), json.at("values"), json.at("arm"),
-                 json.at("key"),  json.at("config"), json.at("arguments")};
+  PlannedRun run{wholeOf<std::uint64_t>(json.at("seed"), "seed"),
+                 json.at("values"),
+                 wholeOf<std::size_t>(json.at("arm"), "arm"),
+                 json.at("key"),
+                 json.at("config"),
+                 json.at("arguments")};
   if (run.arm >= plan.arms.size() || run.values.size() != plan.factors.size())
     throw core::Error("a run is of no arm or has not a value of every factor");
   return run;
@@ -83,7 +88,8 @@ Plan parsePlan(const std::string& text, const std::string& name) {
     if (json.contains("plots"))  // not in plans of the first version
       plan.plots = {json["plots"].at("figures"), json["plots"].at("over")};
     const Json& limits = json.at("limits");
-    plan.limits = {limits.at("time_s"), limits.at("threads"), limits.at("keep_files")};
+    plan.limits = {limits.at("time_s"), wholeOf<int>(limits.at("threads"), "threads"),
+                   limits.at("keep_files")};
     plan.files = json.at("files").get<std::map<std::string, std::string>>();
     for (const Json& run : json.at("runs")) plan.runs.push_back(runOf(run, plan));
     return plan;

@@ -9,9 +9,8 @@
 #include <thread>
 
 #include "ariadne/batch/claims.h"
-#include "ariadne/batch/content_hash.h"
 #include "ariadne/batch/worker.h"
-#include "ariadne/core/error.h"
+#include "planned_files.h"
 
 namespace ariadne::batch {
 namespace {
@@ -27,20 +26,10 @@ double cpuOfThis_s() {
          1e-6 * static_cast<double>(u.ru_utime.tv_usec + u.ru_stime.tv_usec);
 }
 
-/// Programs and data as they were when the plan was made: else results would lie under wrong keys.
-void checkFiles(const Plan& plan) {
-  FileHashes hashes;
-  for (const auto& [file, hash] : plan.files)
-    if (hashes.of(file) != hash)
-      throw core::Error(fmt::format(
-          "{} is not what it was when the plan was made: plan again with ariadne-experiment run",
-          file));
-}
-
 class Scheduler {
  public:
   Scheduler(const Store& store, const Plan& plan, const ScheduleOptions& options)
-      : store_(store), plan_(plan), options_(options), claims_(store.claims()) {
+      : store_(store), plan_(plan), options_(options), files_(plan.files), claims_(store.claims()) {
     const auto runs = distinctRuns(plan);
     for (std::size_t i = options.slice - 1; i < runs.size(); i += options.slices) {
       ++progress_.planned;
@@ -61,7 +50,7 @@ class Scheduler {
 
   ScheduleEnd run() {
     const auto start = Clock::now();
-    if (!pending_.empty()) checkFiles(plan_);
+    if (!pending_.empty()) files_.check();
     while (!(end_.stopped = options_.stop()) && step(start)) {
     }
     end_.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
@@ -130,6 +119,7 @@ class Scheduler {
   }
 
   void finish(const Worker& worker, const RunResult& result, Clock::time_point start) {
+    files_.check();  // may have been built again while the run went on
     if (result.failure.empty()) worker.keepFiles();
     store_.put(result);
     claims_.giveBack(result.key, true);
@@ -148,6 +138,7 @@ class Scheduler {
   const Store& store_;
   const Plan& plan_;
   const ScheduleOptions& options_;
+  PlannedFiles files_;
   Claims claims_;
   std::deque<const PlannedRun*> pending_;
   std::deque<const PlannedRun*> others_;  ///< claimed by somebody else

@@ -1,7 +1,6 @@
 #include "ariadne/batch/store.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "ariadne/core/error.h"
 #include "ariadne/io/whole_file.h"
@@ -114,19 +113,20 @@ void Store::forget(const std::string& key) const {
 void Store::clearAfter(const std::string& owner) const {
   std::error_code ignored;
   fs::remove_all(scratch(owner), ignored);
-  const std::string pid = partsOf(owner).pid;
+  const OwnerParts parts = partsOf(owner);
+  const std::string mark = parts.pid + "-" + parts.start;
   for (const fs::path& place : {folder_, folder_ / "configs", folder_ / "runs"})
     for (const auto& entry : fs::directory_iterator(place, ignored)) {
       const std::string name = entry.path().filename().string();
       // io::writeWhole's temporary names and ours
       if (name[0] == '.' &&
-          (name.find("." + pid + ".part") != std::string::npos || name == ".probe-" + pid))
+          (name.find("." + mark + ".part") != std::string::npos || name == ".probe-" + mark))
         fs::remove(entry.path(), ignored);
     }
 }
 
 void Store::probe() const {
-  const fs::path probe = folder_ / fmt::format(".probe-{}", ::getpid());
+  const fs::path probe = folder_ / (".probe-" + io::writerMark());
   io::writeWhole(probe, std::string(65536, 'x'));
   std::error_code ignored;
   fs::remove(probe, ignored);

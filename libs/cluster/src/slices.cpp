@@ -5,11 +5,13 @@
 namespace ariadne::cluster {
 
 std::vector<std::size_t> openSlices(const batch::Plan& plan, const batch::Store& store,
-                                    std::size_t slices, const std::vector<Slice>& living) {
+                                    std::size_t slices, const std::vector<Slice>& living,
+                                    const std::set<std::string>& again) {
   const auto runs = batch::distinctRuns(plan);
   std::vector<bool> covered(runs.size(), false);
   for (const Slice& s : living)
-    for (std::size_t i = s.slice - 1; i < runs.size(); i += s.slices) covered[i] = true;
+    for (std::size_t i = s.slice - 1; i < runs.size(); i += s.slices)
+      if (s.waits || again.count(runs[i]->key) == 0) covered[i] = true;
   std::vector<bool> open(slices, false);
   for (std::size_t i = 0; i < runs.size(); ++i)
     if (!covered[i] && !open[i % slices] && !store.has(runs[i]->key)) open[i % slices] = true;

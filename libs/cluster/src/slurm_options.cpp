@@ -5,6 +5,7 @@
 #include <regex>
 
 #include "ariadne/core/error.h"
+#include "ariadne/core/names.h"
 
 namespace ariadne::cluster {
 namespace {
@@ -13,8 +14,9 @@ double number(const std::ssub_match& match) { return match.matched ? std::stod(m
 
 void checkWord(const char* option, const std::string& word, const char* pattern,
                const char* takes) {
-  if (!word.empty() && !std::regex_match(word, std::regex(pattern)))
-    throw core::UsageError(fmt::format("{} {}: takes {}", option, word, takes));
+  // std::regex recurses by the character: a long word would take the stack.
+  if (!word.empty() && (word.size() > 1000 || !std::regex_match(word, std::regex(pattern))))
+    throw core::UsageError(fmt::format("{} {}: takes {}", option, core::printable(word), takes));
 }
 
 }  // namespace

@@ -20,7 +20,8 @@ std::vector<std::string> cellsOf(const std::string& line) {
 
 std::string problemOf(const std::string& program, const Called& called) {
   if (called.missing) return fmt::format("{} is not here (Debian's package slurm-client)", program);
-  return called.ok ? "" : fmt::format("{}: {}", program, called.error);
+  if (called.ok || called.error.rfind(program + ":", 0) == 0) return called.ok ? "" : called.error;
+  return fmt::format("{}: {}", program, called.error);
 }
 
 }  // namespace

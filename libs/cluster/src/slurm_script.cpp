@@ -23,16 +23,6 @@ done
 exec "$program" work "$folder" --slice "$SLURM_ARRAY_TASK_ID/{slices}" --jobs {jobs}
 )sh";
 
-/// A file name of an #SBATCH line: % is a pattern there.
-std::string sbatchName(const std::string& path) {
-  if (path.find_first_of("\"\\\n") != std::string::npos)
-    throw core::UsageError(fmt::format(
-        "{}: sbatch cannot read a name with a quote, backslash or line break in it", path));
-  std::string out;
-  for (const char c : path) out += c == '%' ? std::string("%%") : std::string(1, c);
-  return out;
-}
-
 std::string headerOf(const WorkerCall& worker, const SlurmOptions& o, const std::string& name,
                      const std::filesystem::path& logs, const std::vector<std::size_t>& slices) {
   std::string array = rangesText(slices);
@@ -46,12 +36,22 @@ std::string headerOf(const WorkerCall& worker, const SlurmOptions& o, const std:
       "# A task that is preempted or whose node dies waits in the queue again; the log goes on.\n"
       "#SBATCH --requeue --open-mode=append --chdir=/\n"
       "#SBATCH --output=\"{}/slice-%a.log\"\n",
-      worker.jobs * worker.threads, sbatchName(logs.string()));
+      worker.jobs * worker.threads, sbatchName(logs));
   for (const std::string& word : o.more) text += fmt::format("#SBATCH {}\n", word);
   return text;
 }
 
 }  // namespace
+
+std::string sbatchName(const std::filesystem::path& path) {
+  const std::string text = path.string();
+  if (text.find_first_of("\"\\\n") != std::string::npos)
+    throw core::UsageError(fmt::format(
+        "{}: sbatch cannot read a name with a quote, backslash or line break in it", text));
+  std::string out;
+  for (const char c : text) out += c == '%' ? std::string("%%") : std::string(1, c);
+  return out;
+}
 
 std::string slurmScript(const WorkerCall& worker, const SlurmOptions& options,
                         const std::string& name, const std::filesystem::path& logs,

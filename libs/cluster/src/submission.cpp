@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ariadne/batch/content_hash.h"
+#include "ariadne/batch/json_numbers.h"
 #include "ariadne/core/error.h"
 #include "ariadne/io/whole_file.h"
 
@@ -19,12 +20,13 @@ Submission parse(const fs::path& file) {
   try {
     const Json json = Json::parse(io::readWhole(file));
     Submission s;
-    s.number = json.at("number");
+    s.number = batch::wholeOf<std::size_t>(json.at("number"), "number");
     s.engine = json.at("engine");
     s.name = json.at("name");
     s.id = json.at("id");
-    s.slices = json.at("slices");
-    s.handed = json.at("handed").get<std::vector<std::size_t>>();
+    s.slices = batch::wholeOf<std::size_t>(json.at("slices"), "slices");
+    for (const Json& slice : json.at("handed"))
+      s.handed.push_back(batch::wholeOf<std::size_t>(slice, "handed"));
     s.plan = json.at("plan");
     if (s.slices < 1) throw core::Error("slices is 0");
     return s;

@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <functional>
+#include <limits>
 #include <sstream>
+#include <type_traits>
 
 #include "ariadne/core/error.h"
 #include "ariadne/io/whole_file.h"
@@ -16,20 +20,28 @@ namespace {
 struct Column {
   const char* name;
   std::function<double(const LoopRunResult&)> get;
-  std::function<void(LoopRunResult&, double)> set;
+  std::function<bool(LoopRunResult&, double)> set;  ///< false: no number of this column
 };
 
-#define ARIADNE_COLUMN(name, member)                                                      \
-  Column {                                                                                \
-    name, [](const LoopRunResult& r) { return static_cast<double>(r.member); },           \
-        [](LoopRunResult& r, double v) { r.member = static_cast<decltype(r.member)>(v); } \
+/// False for what a flag or count cannot be; a double counts up to 2^53.
+template <class T>
+bool setTo(T& member, double v) {
+  const double most =
+      std::min(9007199254740992.0, static_cast<double>(std::numeric_limits<T>::max()));
+  if (std::is_integral_v<T> && !(v >= 0 && v <= most && v == std::floor(v))) return false;
+  member = static_cast<T>(v);
+  return true;
+}
+
+#define ARIADNE_COLUMN(name, member)                                            \
+  Column {                                                                      \
+    name, [](const LoopRunResult& r) { return static_cast<double>(r.member); }, \
+        [](LoopRunResult& r, double v) { return setTo(r.member, v); }           \
   }
 #define ARIADNE_INNER(name, member)                                                    \
   Column {                                                                             \
     name, [](const LoopRunResult& r) { return static_cast<double>(r.inner->member); }, \
-        [](LoopRunResult& r, double v) {                                               \
-          r.inner->member = static_cast<decltype(r.inner->member)>(v);                 \
-        }                                                                              \
+        [](LoopRunResult& r, double v) { return setTo(r.inner->member, v); }           \
   }
 
 const std::vector<Column>& columns() {
@@ -101,13 +113,18 @@ LoopRow rowOf(const std::string& line, const std::string& place) {
   };
   LoopRow row;
   row.name = cells[0];
-  row.laps = static_cast<int>(number(1));
-  row.seed = static_cast<std::uint64_t>(number(2));
+  const auto expect = [&](bool fits, const char* column, std::size_t i) {
+    if (!fits)
+      throw core::Error(fmt::format("{}: {} is \"{}\"; it takes a whole number from 0, or 0 and 1",
+                                    place, column, cells[i]));
+  };
+  expect(setTo(row.laps, number(1)), "laps", 1);
+  expect(setTo(row.seed, number(2)), "seed", 2);
   std::size_t i = 3;
-  for (const Column& c : columns()) c.set(row.result, number(i++));
+  for (const Column& c : columns()) expect(c.set(row.result, number(i)), c.name, i), ++i;
   if (cells[i].empty()) return row;  // nothing was recovered
   row.result.inner.emplace();
-  for (const Column& c : innerColumns()) c.set(row.result, number(i++));
+  for (const Column& c : innerColumns()) expect(c.set(row.result, number(i)), c.name, i), ++i;
   return row;
 }
 

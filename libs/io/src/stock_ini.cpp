@@ -159,7 +159,24 @@ void combine(StockState& s, const std::string& name) {
   validated(s.params);
 }
 
+/// Each ${name} becomes up to a line of text: a small file may ask for more than there is memory.
+void expectBounded(std::string_view text, const std::string& name) {
+  constexpr double kMost = 64 << 20;
+  double uses = 0;
+  for (auto at = text.find("${"); at != text.npos; at = text.find("${", at + 2)) ++uses;
+  std::size_t longest = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    longest = std::max(longest, end - begin);
+    begin = end + 1;
+  }
+  if (uses * static_cast<double>(longest) > kMost)
+    throw core::UsageError(fmt::format(
+        "{}: {} times ${{name}} and lines of up to {} bytes are too much", name, uses, longest));
+}
+
 IniDocument parsed(std::string_view text, const std::string& name) {
+  expectBounded(text, name);
   std::string expanded;
   try {
     expanded = mrpt::config::config_parser(std::string(text));

@@ -6,6 +6,9 @@
 
 #include <cerrno>
 #include <cstring>
+#include <fstream>
+#include <iterator>
+#include <sstream>
 #include <utility>
 
 #include "ariadne/core/error.h"
@@ -47,11 +50,27 @@ struct Temporary {
 };
 
 fs::path temporaryName(const fs::path& path) {
-  return path.parent_path() /
-         fmt::format(".{}.{}.part{}", path.stem().string(), ::getpid(), path.extension().string());
+  return path.parent_path() / fmt::format(".{}.{}.part{}", path.stem().string(), writerMark(),
+                                          path.extension().string());
 }
 
 }  // namespace
+
+std::string startOf(const std::string& pid) {
+  std::ifstream file("/proc/" + pid + "/stat");
+  std::string text((std::istreambuf_iterator<char>(file)), {});
+  const std::size_t name_end = text.rfind(')');
+  if (name_end == std::string::npos) return {};
+  std::istringstream fields(text.substr(name_end + 1));
+  std::string field;
+  for (int i = 3; i <= 22; ++i) fields >> field;
+  return field;
+}
+
+std::string writerMark() {
+  const std::string pid = std::to_string(::getpid());
+  return pid + "-" + startOf(pid);
+}
 
 void writeWhole(const fs::path& path, const std::function<void(const fs::path&)>& write) {
   std::error_code ignored;

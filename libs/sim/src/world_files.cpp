@@ -1,6 +1,4 @@
 #include <fmt/format.h>
-#include <mrpt/io/CFileGZInputStream.h>
-#include <mrpt/serialization/CArchive.h>
 
 #include <cmath>
 
@@ -8,6 +6,9 @@
 #include "ariadne/core/random.h"
 #include "ariadne/sim/collision.h"
 #include "ariadne/sim/world.h"
+#include "gridmap_file.h"
+#include "map_checks.h"
+#include "ros_map_file.h"
 #include "script_lines.h"
 #include "world_cells.h"
 
@@ -67,14 +68,15 @@ World readWorld(const std::filesystem::path& path) {
   const std::string name = path.filename().string();
   Grid map;
   if (endsWith(name, ".yaml") || endsWith(name, ".yml")) {
-    load(path, "a map of ROS map_server",
-         [&] { return map.loadFromROSMapServerYAML(path.string()); });
+    load(path, "a map of ROS map_server", [&] {
+      map = readRosMap(path);
+      return true;
+    });
     return worldOf(path, std::move(map));
   }
   if (endsWith(name, ".gridmap") || endsWith(name, ".gridmap.gz")) {
     load(path, "an MRPT gridmap", [&] {
-      mrpt::io::CFileGZInputStream file(path.string());
-      mrpt::serialization::archiveFrom(file) >> map;
+      map = readGridmap(path);
       return true;
     });
     return worldOf(path, std::move(map));
@@ -91,6 +93,7 @@ World readWorldPicture(const std::filesystem::path& path, double resolution_m) {
         fmt::format("a picture's resolution is {} m; it takes 0.01 to 0.5", resolution_m));
   Grid map;
   load(path, "a picture", [&] {
+    expectPictureCells(path);
     return map.loadFromBitmapFile(path.string(), static_cast<float>(resolution_m), {0, 0});
   });
   return worldOf(path, std::move(map));

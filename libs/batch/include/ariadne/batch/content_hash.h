@@ -8,6 +8,10 @@ namespace ariadne::batch {
 
 std::string hashOf(const std::string& text);
 
+/// Size, time and inode of a file, and of the picture that a map_server YAML names: another file
+/// has others. Empty when it is not there.
+std::string stampOf(const std::filesystem::path& file);
+
 /// Hashes of files, each read once while this lives.
 class FileHashes {
  public:

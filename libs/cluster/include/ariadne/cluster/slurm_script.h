@@ -9,6 +9,10 @@
 
 namespace ariadne::cluster {
 
+/// A file name of an #SBATCH line, where % is a pattern. Throws core::UsageError for one that
+/// sbatch cannot read.
+std::string sbatchName(const std::filesystem::path& path);
+
 /// @param name of the job
 /// @param logs folder of the tasks' logs, slice-N.log
 /// @param slices those to do, in rising order, at least one

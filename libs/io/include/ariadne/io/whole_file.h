@@ -16,6 +16,14 @@ void writeWhole(const std::filesystem::path& path, std::string_view content);
 void writeWhole(const std::filesystem::path& path,
                 const std::function<void(const std::filesystem::path& temporary)>& write);
 
+/// When a process of this machine was started, in ticks since boot (proc(5), field 22); empty when
+/// there is none. Tells it from a later one with the same number.
+std::string startOf(const std::string& pid);
+
+/// "1234-567", this process and its start, of which the names of its half-written files are made:
+/// on a shared folder processes of two machines or containers may well have the same number.
+std::string writerMark();
+
 /// All of a file. Throws core::Error naming the path.
 std::string readWhole(const std::filesystem::path& path);
 

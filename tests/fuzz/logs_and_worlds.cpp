@@ -1,0 +1,65 @@
+#include <fstream>
+#include <sstream>
+
+#include "ariadne/io/dataset.h"
+#include "ariadne/io/relations.h"
+#include "ariadne/io/tum.h"
+#include "ariadne/sim/drive_path.h"
+#include "ariadne/sim/world.h"
+#include "dataset_info.h"
+#include "evaluation.h"
+#include "parts.h"
+
+namespace ariadne::fuzz {
+namespace {
+
+constexpr const char* kTruth =
+    "1 0 0 0 0 0 0 1\n2 1 0 0 0 0 0 1\n3 1 1 0 0 0 0.7 0.7\n4 0 1 0 0 0 1 0\n5 0 0 0 0 0 0 1\n";
+
+/// A path of five poses beside the file.
+std::string truthBeside(const Path& file) {
+  const Path truth = file.parent_path() / "truth.tum";
+  if (!std::filesystem::exists(truth)) std::ofstream(truth) << kTruth;
+  return truth.string();
+}
+
+}  // namespace
+
+void readLog(const Path& file) {
+  const DatasetInfo info = collectInfo(file, "", [](double) {});
+  infoAsText(info);
+  infoAsJson(info);
+}
+
+void readTum(const Path& file) {
+  eval_app::Arguments args;
+  args.estimate = file.string();
+  args.truth = truthBeside(file);
+  std::ostringstream out;
+  eval_app::printJson(eval_app::evaluate(args), out);
+  std::swap(args.estimate, args.truth);
+  eval_app::printText(args, eval_app::evaluate(args), out);
+}
+
+void readRelations(const Path& file) {
+  eval_app::Arguments args;
+  args.estimate = truthBeside(file);
+  args.relations = file.string();
+  std::ostringstream out;
+  eval_app::printJson(eval_app::evaluate(args), out);
+}
+
+void readWorld(const Path& file) { sim::readWorld(file); }
+/// Of a picture of 3 x 2 pixels beside it.
+void readRosMap(const Path& file) {
+  const Path picture = file.parent_path() / "map.pgm";
+  if (!std::filesystem::exists(picture)) std::ofstream(picture) << "P5\n3 2\n255\nabcdef";
+  sim::readWorld(file);
+}
+void readPicture(const Path& file) { sim::readWorldPicture(file, 0.05); }
+void readDrive(const Path& file) {
+  sim::readPath(file);
+  sim::readPath(file, 3);
+}
+
+}  // namespace ariadne::fuzz
