@@ -86,6 +86,12 @@ TEST_F(ExploreApp, TheReportListsEveryDecisionAfterWhatLedToIt) {
   EXPECT_LT(place("Loop 0 detected"), place("To the entry of a loop"));
 }
 
+TEST_F(ExploreApp, AStrategyWithoutRecoveryIsNotWarnedOfItsLack) {
+  ASSERT_EQ(explore("a", {"--strategy", "active_neff", "--particles", "10", "--no-pictures"}), 0);
+  EXPECT_GE(json("a", "summary.json")["loops"]["closed"].get<int>(), 1);
+  EXPECT_EQ(err.find("recover"), std::string::npos) << err;
+}
+
 TEST_F(ExploreApp, EventsCarryTheirNumbers) {
   ASSERT_EQ(explore("a", {"--particles", "10", "--no-pictures"}), 0) << err;
   const auto events = json("a", "events.json")["events"];
