@@ -43,10 +43,14 @@ class Recording {
       : mapper_(mapper), recorder_(recorder) {}
 
   void update(const slam::StepReport& report, const explore::Explorer& explorer) {
-    const auto& decisions = explorer.decisions();
-    for (; told_ < decisions.size(); ++told_) recorder_.mark(momentOf(decisions[told_]));
+    markDecisions(explorer);
     recorder_.show(sceneOf(explorer, mapper_));
     recorder_.step(report, report::viewOf(mapper_), explorer.doing());
+  }
+  /// Those that are new; the last one may come after the last update.
+  void markDecisions(const explore::Explorer& explorer) {
+    const auto& decisions = explorer.decisions();
+    for (; told_ < decisions.size(); ++told_) recorder_.mark(momentOf(decisions[told_]));
   }
 
  private:
@@ -93,6 +97,7 @@ ExplorationResult carryOut(mission::Mission& mission, const ExploreConfig& confi
     if (progress.due()) progress.show(progressLine(mission, report, report.time_s));
     return interrupt.signal() == 0;
   });
+  if (config.run.pictures) recording.markDecisions(mission.explorer());
   progress.finish();
   slam_app::RunResult& mapping = result.mapping;
   mapping.record = recordOf(result.mission);

@@ -78,8 +78,10 @@ int exploreWorld(const Options& options, ResolvedConfig resolved, std::ostream& 
                result.mission.distance_m);
   result.mapping.config.dataset.file = config.run.out + "/drive.rawlog";
   result.mapping.warnings = resolved.warnings;
-  for (const auto& w : slam_app::loopWarnings(result.mapping.closings))
-    result.mapping.warnings.push_back(w);
+  // Without recovery there is none to miss: that is the strategy's word, not the user's mistake.
+  if (config.mission.slam.recovery.enabled)
+    for (const auto& w : slam_app::loopWarnings(result.mapping.closings))
+      result.mapping.warnings.push_back(w);
   tellCollisions(result);
   const auto& all = result.mapping.warnings;
   slam_app::warn(err, kName,

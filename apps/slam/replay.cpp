@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <iterator>
 
 #include "ariadne/report/replay_truth.h"
 #include "loop_counts.h"
@@ -70,7 +71,10 @@ report::Replay replayOf(report::ReplayRecorder& recorder, const slam::Mapper& ma
   replay.title = std::filesystem::path(result.config.dataset.file).filename().string();
   replay.facts = factsOf(result);
   replay.notes = notesOf(result, replay);
-  for (report::ReplayMoment& m : momentsOf(result.closings)) replay.moments.push_back(std::move(m));
+  // Before the decisions that they led to: the page keeps the order within an update.
+  auto moments = momentsOf(result.closings);
+  replay.moments.insert(replay.moments.begin(), std::make_move_iterator(moments.begin()),
+                        std::make_move_iterator(moments.end()));
   if (result.truth)
     addTruth(replay, result.truth->truth, result.truth->map_from_truth, kTruthGap_s);
   return replay;

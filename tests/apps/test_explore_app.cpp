@@ -1,6 +1,7 @@
 // ariadne-explore as its user sees it, without a process.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -62,6 +63,33 @@ TEST_F(ExploreApp, ExploresTheSmallWorld) {
                            "config.ini", "trajectory.tum", "map.yaml"})
     EXPECT_TRUE(fs::exists(folder / "a" / file)) << file;
   EXPECT_LT(fs::file_size(folder / "a" / "report.html"), 10'000'000U);
+}
+
+TEST_F(ExploreApp, TheReportListsEveryDecisionAfterWhatLedToIt) {
+  ASSERT_EQ(explore("a", {"--particles", "10"}), 0) << err;
+  const std::string page = readWhole(folder / "a" / "report.html");
+  const std::string mark = R"(id="replay-data">)";
+  const std::size_t from = page.find(mark) + mark.size();
+  const auto moments =
+      nlohmann::json::parse(page.substr(from, page.find("</script>", from) - from))["moments"];
+  std::vector<std::string> titles;
+  std::size_t decisions = 0;
+  for (const auto& m : moments) {
+    titles.push_back(m["title"]);
+    decisions += m["kind"] == "decision";
+  }
+  EXPECT_EQ(decisions, json("a", "events.json")["events"].size());
+  EXPECT_EQ(titles.back(), "The end");
+  const auto place = [&](const char* title) {
+    return std::find(titles.begin(), titles.end(), title) - titles.begin();
+  };
+  EXPECT_LT(place("Loop 0 detected"), place("To the entry of a loop"));
+}
+
+TEST_F(ExploreApp, AStrategyWithoutRecoveryIsNotWarnedOfItsLack) {
+  ASSERT_EQ(explore("a", {"--strategy", "active_neff", "--particles", "10", "--no-pictures"}), 0);
+  EXPECT_GE(json("a", "summary.json")["loops"]["closed"].get<int>(), 1);
+  EXPECT_EQ(err.find("recover"), std::string::npos) << err;
 }
 
 TEST_F(ExploreApp, EventsCarryTheirNumbers) {

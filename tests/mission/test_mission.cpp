@@ -157,6 +157,25 @@ TEST(Mission, AHoleNarrowerThanTheRobotIsNotTried) {
   EXPECT_GE(behind, 1) << "the other room, seen through the hole";
 }
 
+TEST(Mission, AnIslandIsGoneAround) {
+  const Explored e("room 0 0 14 10\nwall 5 3 9 7\nstart 2 2 0", gentle());
+  EXPECT_EQ(e.record.end_reason.rfind("explored", 0), 0U) << e.record.end_reason;
+  EXPECT_TRUE(e.record.collisions.empty());
+  EXPECT_GT(freeArea(e.mission.mapper().map()) / freeArea(e.world.map), 0.94);
+}
+
+TEST(Mission, AnIslandBehindGlassIsLeftForAReason) {
+  const Explored e(
+      "room 0 0 14 10\nglass 4 2 10 2.1\nglass 4 8 10 8.1\nglass 4 2 4.1 8.1\n"
+      "glass 10 2 10.1 8.1\nstart 2 1 0",
+      gentle());
+  EXPECT_EQ(e.record.end_reason.rfind("explored", 0), 0U) << e.record.end_reason;
+  for (const auto& t : e.record.truth)
+    EXPECT_FALSE(t.pose.x > 4.1 && t.pose.x < 10 && t.pose.y > 2.1 && t.pose.y < 8)
+        << "never through glass";
+  for (const auto& c : e.left()) EXPECT_FALSE(c.left.empty());
+}
+
 TEST(Mission, GlassIsTouchedHeldAndLeft) {
   const Explored e("corridor 2  0 0  12 0\nroom 10 -4 16 4\nglass 6 -1 6.1 1\nstart 1 0 0",
                    gentle());

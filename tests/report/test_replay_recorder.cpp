@@ -59,6 +59,16 @@ TEST(ReplayRecorder, MomentsAndChangesOfTheLoopStateKeepTheirKeyframes) {
   EXPECT_LE(steps.size(), 21U);
 }
 
+TEST(ReplayRecorder, WhatIsMarkedAfterTheLastUpdateBelongsToIt) {
+  ReplayRecorder recorder(atMost(20));
+  MadeUpRun run(3, 5);
+  for (int i = 0; i < 10; ++i) run.update(recorder, 5);
+  recorder.mark({0, report::MomentKind::decision, "the end", "", {}});
+  const report::Replay replay = recorder.finish(run.view());
+  ASSERT_EQ(replay.moments.size(), 1U);
+  EXPECT_EQ(replay.moments[0].step, 9U);
+}
+
 TEST(ReplayRecorder, MoreMomentsThanKeyframesAreStillBounded) {
   ReplayRecorder recorder(atMost(20));
   MadeUpRun run(3, 5);

@@ -153,6 +153,17 @@ TEST_F(WorldFiles, StartsAreDrawnOnFreeFloor) {
   expectError<core::Error>([&] { sim::drawStart(drawn, 1.5, 1); }, {"drawn.world", "1.5 m"});
 }
 
+TEST_F(WorldFiles, StartsAreDrawnWhereTheRobotCanGoFarthest) {
+  // The larger room has less floor than the two others together.
+  const World rooms =
+      sim::parseWorld("room 0 0 5 5\nroom 6 0 12 5\nroom 13 0 18 5\nstart 1 1 0", "rooms.world");
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    const auto start = sim::drawStart(rooms, 0.2, seed);
+    EXPECT_GT(start.x, 6) << seed;
+    EXPECT_LT(start.x, 12) << seed;
+  }
+}
+
 TEST(Glass, StopsTheRobotButNotItsLaser) {
   const World world =
       sim::parseWorld("corridor 2  0 0  6 0\nglass 3 -1 3.1 1\nstart 1 0 0", "glass.world");

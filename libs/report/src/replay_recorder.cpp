@@ -35,6 +35,7 @@ struct ReplayRecorder::Impl {
   void add(const slam::StepReport& report, const FilterView& view, std::string state);
   void addCloud(const FilterView& view);
   void addFrame(const FilterView& view, bool pinned);
+  void addPending();
   void shrink();
   bool stateChanged() const;
 
@@ -104,6 +105,14 @@ void ReplayRecorder::Impl::addFrame(const FilterView& view, bool pinned) {
   if (replay.frames.size() > params.max_frames || store.tiles().size() > params.max_tiles) shrink();
 }
 
+void ReplayRecorder::Impl::addPending() {
+  for (ReplayMoment& m : pending) {
+    m.step = replay.steps.size() - 1;
+    replay.moments.push_back(std::move(m));
+  }
+  pending.clear();
+}
+
 void ReplayRecorder::Impl::shrink() {
   stride *= 2;
   do {
@@ -129,17 +138,14 @@ void ReplayRecorder::step(const slam::StepReport& report, const FilterView& view
   impl_->addCloud(view);
   const std::size_t now = impl_->replay.steps.size() - 1;
   const bool stays = impl_->stateChanged() || !impl_->pending.empty();
-  for (ReplayMoment& m : impl_->pending) {
-    m.step = now;
-    impl_->replay.moments.push_back(std::move(m));
-  }
-  impl_->pending.clear();
+  impl_->addPending();
   if (stays || now % impl_->stride == 0) impl_->addFrame(view, stays);
 }
 
 Replay ReplayRecorder::finish(const FilterView& last) {
   Impl& i = *impl_;
   const std::size_t steps = i.replay.steps.size();
+  if (steps > 0) i.addPending();
   if (steps > 0 && i.replay.frames.back().step + 1 != steps) i.addFrame(last, true);
   Replay done = std::move(i.replay);
   done.tiles = usedTiles(done.frames, i.store.tiles());

@@ -3,8 +3,6 @@
 #include <cmath>
 
 #include "ariadne/core/error.h"
-#include "ariadne/core/random.h"
-#include "ariadne/sim/collision.h"
 #include "ariadne/sim/world.h"
 #include "gridmap_file.h"
 #include "map_checks.h"
@@ -97,21 +95,6 @@ World readWorldPicture(const std::filesystem::path& path, double resolution_m) {
     return map.loadFromBitmapFile(path.string(), static_cast<float>(resolution_m), {0, 0});
   });
   return worldOf(path, std::move(map));
-}
-
-mrpt::math::TPose2D drawStart(const World& world, double robot_radius_m, std::uint64_t seed) {
-  constexpr int kTries = 200'000;
-  constexpr double kHand_m = 0.1;
-  core::RandomStream random(seed, 0, 0, core::Purpose::start);
-  const Grid& map = world.bodies;
-  for (int i = 0; i < kTries; ++i) {
-    const double x = map.getXMin() + random.uniform() * (map.getXMax() - map.getXMin());
-    const double y = map.getYMin() + random.uniform() * (map.getYMax() - map.getYMin());
-    const double phi = (2 * random.uniform() - 1) * M_PI;
-    if (!touchesRock(map, x, y, robot_radius_m + kHand_m)) return {x, y, phi};
-  }
-  throw core::Error(fmt::format("{}: no place found where a robot of radius {} m could start",
-                                world.name, robot_radius_m));
 }
 
 }  // namespace ariadne::sim

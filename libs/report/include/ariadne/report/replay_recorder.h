@@ -40,7 +40,8 @@ class ReplayRecorder {
 
   /// Drawn in all keyframes from the next update on, until something else is shown.
   void show(ReplayScene scene);
-  /// Belongs to the next update (its `step` is set by that), which gets a keyframe that stays.
+  /// Belongs to the next update (its `step` is set by that), which gets a keyframe that stays;
+  /// after the last one to that.
   void mark(ReplayMoment moment);
   /// To be called after each filter update. An update at which the loop state changes gets a
   /// keyframe that stays.
