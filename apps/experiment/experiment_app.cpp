@@ -46,6 +46,7 @@ void showResults(const Options& o, const Plan& plan, const Store& store, std::os
   if (is_table && !o.quiet) out << results.table(o.format);
   if (o.command == Command::plot) results.writePlots();
   if (o.command == Command::report || o.command == Command::run) results.writeReport(err);
+  if (o.command == Command::publish) return results.exportTo(o.to, err);
   if (o.command != Command::table && !o.quiet)
     fmt::print(err, "{}\n",
                (store.folder() / (o.command == Command::plot ? "plots" : "report.html")).string());

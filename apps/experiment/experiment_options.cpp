@@ -31,6 +31,7 @@ constexpr const char* kFooter =
     "  ariadne-experiment status small\n"
     "  ariadne-experiment table small --format latex > small.tex\n"
     "  ariadne-experiment report small                 # plots and report.html, also on the way\n"
+    "  ariadne-experiment export small doc/experiments/results/small\n"
     "  ariadne-experiment work small --slice 3/10      # a tenth of the plan, on any machine\n"
     "  ariadne-experiment submit ini/paper/small.ini --out /shared/small --engine slurm\n"
     "  ariadne-experiment collect /shared/small\n"
@@ -100,6 +101,11 @@ std::optional<Options> parseOptions(const std::vector<std::string>& args, std::o
   CLI::App* report =
       app.add_subcommand("report", "The same and FOLDER/report.html, a page with all");
   report->add_option("FOLDER", o.folder, "results folder")->required();
+  CLI::App* publish = app.add_subcommand(
+      "export", "Tables in all formats, all runs as CSV, plots as SVG: what is worth committing");
+  publish->add_option("FOLDER", o.folder, "results folder")->required();
+  publish->add_option("TO", o.to, "folder to write to; files of these names are replaced")
+      ->required();
   CLI::App* status = app.add_subcommand("status", "How far it is, and what failed");
   status->add_option("FOLDER", o.folder, "results folder")->required();
   CLI::App* submit = addSubmit(app, o);
@@ -120,6 +126,7 @@ std::optional<Options> parseOptions(const std::vector<std::string>& args, std::o
               : *table   ? Command::table
               : *plot    ? Command::plot
               : *report  ? Command::report
+              : *publish ? Command::publish
               : *submit  ? Command::submit
               : *collect ? Command::collect
                          : Command::status;

@@ -31,7 +31,7 @@ std::string trimmedEnd(std::string text) {
 
 bool isData(const io::IniEntry& e) {
   return ((e.section == "world" || e.section == "dataset") && e.key == "file") ||
-         (e.section == "experiment" && (e.key == "world" || e.key == "path"));
+         (e.section == "experiment" && (e.key == "world" || e.key == "path" || e.key == "log"));
 }
 
 bool isFile(const std::string& value) {
@@ -40,6 +40,13 @@ bool isFile(const std::string& value) {
 }
 
 }  // namespace
+
+const char* const kWhereDataAre =
+    "Worlds and drives are in datasets/ (ariadne-dataset makes others); MRPT's sample log comes "
+    "with the package mrpt-common; the others, as the Infinite Corridor, Intel and MIT CSAIL, are "
+    "at http://ais.informatik.uni-freiburg.de/slamevaluation/datasets.php and the Radish archive's "
+    "mirrors (README.md, \"Logs\"): put them into ../shared/datasets or where ARIADNE_DATASETS "
+    "says";
 
 std::string resolvedConfig(const Program& program, const ArmCall& call, const std::string& where) {
   const auto command = configCommand(program, call);
@@ -74,11 +81,8 @@ std::string meaningOf(const std::string& config, const std::string& where, FileH
   for (const io::IniEntry& e : document.entries) {
     if (e.section == "run") continue;
     if (isData(e) && !e.value.empty() && !isFile(e.value))
-      throw core::UsageError(
-          fmt::format("{}: [{}] {} = {}: there is no such file. Worlds and drives are in datasets/ "
-                      "(ariadne-dataset makes others); MRPT's sample log comes with the package "
-                      "mrpt-common; README.md, \"Logs\", says where to get the others",
-                      where, e.section, e.key, e.value));
+      throw core::UsageError(fmt::format("{}: [{}] {} = {}: there is no such file. {}", where,
+                                         e.section, e.key, e.value, kWhereDataAre));
     meaning +=
         fmt::format("[{}] {} = {}\n", e.section, e.key, meaningOfWord(e.value, hashes, files));
   }
