@@ -28,6 +28,7 @@ constexpr const char* kFooter =
     "Examples:\n"
     "  ariadne-experiment run ini/paper/small.ini --dry-run\n"
     "  ariadne-experiment run ini/paper/small.ini --out small --jobs 2\n"
+    "  ariadne-experiment run ini/paper/path_overhead.ini --out some --where world=small,eight\n"
     "  ariadne-experiment status small\n"
     "  ariadne-experiment table small --format latex > small.tex\n"
     "  ariadne-experiment report small                 # plots and report.html, also on the way\n"
@@ -85,6 +86,10 @@ std::optional<Options> parseOptions(const std::vector<std::string>& args, std::o
   addJobs(run, o);
   run->add_option("--first", o.first, "first seed, instead of the INI's");
   run->add_option("--last", o.last, "last seed, instead of the INI's");
+  run->add_option("--where", o.where,
+                  "FACTOR=VALUE,...: only these values of a factor; may be given for each")
+      ->allow_extra_args(false)
+      ->take_all();
   run->add_flag("--dry-run", o.dry_run, "show the plan and stop");
   run->add_flag("--again-failed", o.again_failed, "do runs that failed again");
   CLI::App* work = app.add_subcommand("work", "Do a slice of the plan in FOLDER, made by run");

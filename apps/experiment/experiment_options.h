@@ -24,6 +24,7 @@ struct Options {
   int jobs = 0;
   std::optional<std::uint64_t> first;
   std::optional<std::uint64_t> last;
+  std::vector<std::string> where;  ///< "world=small,eight": of run
   bool dry_run = false;
   bool again_failed = false;
   bool quiet = false;

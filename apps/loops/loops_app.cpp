@@ -66,6 +66,8 @@ experiment::LoopConfig configOf(const Arguments& args) {
 
 void drawNeff(const Arguments& args, std::ostream& out) {
   const experiment::LoopConfig config = configOf(args);
+  if (!config.files.log.empty())
+    throw core::UsageError(args.ini + ": neff needs world and path, not a log");
   const sim::World world = sim::readWorld(config.files.world);
   const sim::DrivePath path = sim::readPath(config.files.path, args.laps);
   loops_app::writeNeffChart(args.rows, config, sim::driveThrough(world, path, config.sim.drive),

@@ -83,7 +83,7 @@ TEST(ExperimentIni, AFactorsValuesMayNameSettings) {
 TEST(ExperimentIni, ErrorsOfAFactorsSettings) {
   const std::string factor = kBase + "[factor.p]\nvalues = half, all\n";
   expectIn("no error", factor + "set.half.a.b = 1\n");
-  expectIn("e.ini:8: [factor.p] set.hlaf.a.b: hlaf is none of its values; the nearest is \"half\"",
+  expectIn("e.ini:8: [factor.p] set.hlaf.a.b: hlaf is none of its values; the nearest is half",
            factor + "set.hlaf.a.b = 1\n");
   expectIn("e.ini:10: [factor.p] set.half.b", factor + "set.half.b = 1\n");
   expectIn("set.VALUE.SECTION.KEY", factor + "set.half.b = 1\n");

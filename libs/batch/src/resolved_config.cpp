@@ -13,7 +13,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kPrintLimit_s = 60;
+// What takes a moment; on a machine with many more jobs than cores one was seen to take over a
+// minute.
+constexpr double kPrintLimit_s = 300;
 
 /// A file that is gone with this.
 struct TemporaryFile {
@@ -80,6 +82,9 @@ std::string meaningOf(const std::string& config, const std::string& where, FileH
   std::string meaning;
   for (const io::IniEntry& e : document.entries) {
     if (e.section == "run") continue;
+    if (e.section == "dataset" && e.key == "file" && e.value.empty())
+      throw core::UsageError(fmt::format(
+          "{}: neither it nor its INI names a log: dataset = LOG. {}", where, kWhereDataAre));
     if (isData(e) && !e.value.empty() && !isFile(e.value))
       throw core::UsageError(fmt::format("{}: [{}] {} = {}: there is no such file. {}", where,
                                          e.section, e.key, e.value, kWhereDataAre));
