@@ -79,21 +79,19 @@ TEST_P(PaperExperiments, ASeedIsWithinTheCommittedResults) {
   ariadne::test::expectWithin(runs, ariadne::test::readRuns(kResults / small.name / "runs.csv"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, PaperExperiments,
-                         ::testing::Values(Small{"nested_loop", "1001", {}},
-                                           Small{"other_environment", "1001", {}},
-                                           Small{"killian_court", "1001", {}},
-                                           Small{"survivors", "1001", {"world=nested2"}},
-                                           Small{"neff", "1001", {"world=nested"}},
-                                           Small{"three_loops", "2001", {}},
-                                           Small{"path_overhead", "2001", {"world=eight,small"}},
-                                           Small{"against_uncertainty", "2001", {"world=nested"}},
-                                           Small{"recovery_cost", "1001", {"laps=1"}},
-                                           Small{"laps", "1001", {"laps=0,3"}},
-                                           Small{"particles", "1001", {"particles=15,60"}},
-                                           Small{"odometry_noise", "1001", {"noise=0.5,2"}},
-                                           Small{"oracle", "1001", {}}, Small{"datasets", "1", {}}),
-                         [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Each, PaperExperiments,
+    ::testing::Values(Small{"nested_loop", "1001", {}}, Small{"other_environment", "1001", {}},
+                      Small{"killian_court", "1001", {}},
+                      Small{"survivors", "1001", {"world=nested2"}},
+                      Small{"neff", "1001", {"world=nested"}}, Small{"three_loops", "2001", {}},
+                      Small{"path_overhead", "2001", {"world=eight,small"}},
+                      Small{"against_uncertainty", "2001", {"world=nested"}},
+                      Small{"recovery_cost", "1001", {}}, Small{"laps", "1001", {"laps=0,3"}},
+                      Small{"particles", "1001", {"particles=15,60"}},
+                      Small{"odometry_noise", "1001", {"noise=0.5,2"}}, Small{"oracle", "1001", {}},
+                      Small{"datasets", "1", {}}),
+    [](const auto& info) { return info.param.name; });
 
 TEST(PaperInis, AllCanBePlannedAndHaveCommittedResults) {
   std::size_t count = 0;
