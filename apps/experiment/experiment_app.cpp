@@ -8,6 +8,7 @@
 
 #include "ariadne/batch/run_counts.h"
 #include "ariadne/batch/schedule.h"
+#include "ariadne/core/error.h"
 #include "cluster_status.h"
 #include "collect.h"
 #include "dry_run.h"
@@ -46,6 +47,7 @@ void showResults(const Options& o, const Plan& plan, const Store& store, std::os
   if (is_table && !o.quiet) out << results.table(o.format);
   if (o.command == Command::plot) results.writePlots();
   if (o.command == Command::report || o.command == Command::run) results.writeReport(err);
+  if (o.command == Command::publish) return results.exportTo(o.to, err);
   if (o.command != Command::table && !o.quiet)
     fmt::print(err, "{}\n",
                (store.folder() / (o.command == Command::plot ? "plots" : "report.html")).string());
@@ -58,6 +60,19 @@ void tellEnd(const Options& o, const batch::ScheduleEnd& end, std::ostream& err)
              end.runs_cpu_s > 0 ? 100 * end.own_cpu_s / end.runs_cpu_s : 0);
 }
 
+/// What is finished is in the folder, whatever went wrong: a full disk, a program that changed.
+batch::ScheduleEnd doAll(const Store& store, const Plan& plan,
+                         const batch::ScheduleOptions& options) {
+  try {
+    return batch::doRuns(store, plan, options);
+  } catch (const core::UsageError&) {
+    throw;
+  } catch (const core::Error& e) {
+    throw core::Error(
+        fmt::format("{}\n{}: finished runs are kept; the same command goes on", e.what(), kName));
+  }
+}
+
 /// Does what is to be done. Returns the exit code.
 int work(const Options& o, const Plan& plan, const Store& store, std::ostream& err) {
   const slam_app::Interrupt interrupt;
@@ -68,7 +83,7 @@ int work(const Options& o, const Plan& plan, const Store& store, std::ostream& e
   options.slices = o.slices;
   options.stop = [&] { return interrupt.signal() != 0; };
   options.tell = [&](const batch::ScheduleProgress& p) { progress.tell(p); };
-  const batch::ScheduleEnd end = batch::doRuns(store, plan, options);
+  const batch::ScheduleEnd end = doAll(store, plan, options);
   progress.finish();
   tellEnd(o, end, err);
   if (end.stopped) {

@@ -29,9 +29,11 @@ constexpr const char* kFooter =
     "Examples:\n"
     "  ariadne-experiment run ini/paper/small.ini --dry-run\n"
     "  ariadne-experiment run ini/paper/small.ini --out small --jobs 2\n"
+    "  ariadne-experiment run ini/paper/path_overhead.ini --out some --where world=small,eight\n"
     "  ariadne-experiment status small\n"
     "  ariadne-experiment table small --format latex > small.tex\n"
     "  ariadne-experiment report small                 # plots and report.html, also on the way\n"
+    "  ariadne-experiment export small doc/experiments/results/small\n"
     "  ariadne-experiment work small --slice 3/10      # a tenth of the plan, on any machine\n"
     "  ariadne-experiment submit ini/paper/small.ini --out /shared/small --engine slurm\n"
     "  ariadne-experiment collect /shared/small\n"
@@ -87,6 +89,10 @@ std::optional<Options> parseOptions(const std::vector<std::string>& args, std::o
       ->check(CLI::NonNegativeNumber);
   run->add_option("--last", o.last, "last seed, instead of the INI's")
       ->check(CLI::NonNegativeNumber);
+  run->add_option("--where", o.where,
+                  "FACTOR=VALUE,...: only these values of a factor; may be given for each")
+      ->allow_extra_args(false)
+      ->take_all();
   run->add_flag("--dry-run", o.dry_run, "show the plan and stop");
   run->add_flag("--again-failed", o.again_failed, "do runs that failed again");
   CLI::App* work = app.add_subcommand("work", "Do a slice of the plan in FOLDER, made by run");
@@ -103,6 +109,11 @@ std::optional<Options> parseOptions(const std::vector<std::string>& args, std::o
   CLI::App* report =
       app.add_subcommand("report", "The same and FOLDER/report.html, a page with all");
   report->add_option("FOLDER", o.folder, "results folder")->required();
+  CLI::App* publish = app.add_subcommand(
+      "export", "Tables in all formats, all runs as CSV, plots as SVG: what is worth committing");
+  publish->add_option("FOLDER", o.folder, "results folder")->required();
+  publish->add_option("TO", o.to, "folder to write to; files of these names are replaced")
+      ->required();
   CLI::App* status = app.add_subcommand("status", "How far it is, and what failed");
   status->add_option("FOLDER", o.folder, "results folder")->required();
   CLI::App* submit = addSubmit(app, o);
@@ -123,6 +134,7 @@ std::optional<Options> parseOptions(const std::vector<std::string>& args, std::o
               : *table   ? Command::table
               : *plot    ? Command::plot
               : *report  ? Command::report
+              : *publish ? Command::publish
               : *submit  ? Command::submit
               : *collect ? Command::collect
                          : Command::status;

@@ -12,7 +12,7 @@
 
 namespace ariadne::experiment_app {
 
-enum class Command { run, work, table, plot, report, status, submit, collect };
+enum class Command { run, work, table, plot, report, publish, status, submit, collect };
 
 enum class Engine { slurm, parallel };
 
@@ -20,9 +20,11 @@ struct Options {
   Command command = Command::run;
   std::string ini;
   std::string folder;
+  std::string to;  ///< of export
   int jobs = 0;
   std::optional<std::uint64_t> first;
   std::optional<std::uint64_t> last;
+  std::vector<std::string> where;  ///< "world=small,eight": of run
   bool dry_run = false;
   bool again_failed = false;
   bool quiet = false;

@@ -11,13 +11,13 @@
 #include "ariadne/core/error.h"
 #include "ariadne/experiment/loop_config.h"
 #include "ariadne/experiment/loop_table.h"
-#include "ariadne/experiment/oracle.h"
+#include "ariadne/io/dataset_place.h"
 #include "ariadne/io/ini_fields.h"
 #include "ariadne/io/ini_text.h"
 #include "ariadne/io/ini_writer.h"
-#include "ariadne/io/whole_file.h"
 #include "neff_chart.h"
 #include "neff_log.h"
+#include "run_command.h"
 
 namespace ariadne {
 namespace {
@@ -33,6 +33,7 @@ constexpr const char* kFooter =
     "  ariadne-loop-experiment run ini/experiments/nested.ini rows.csv --laps 10 --first 1 --last "
     "60\n"
     "  ariadne-loop-experiment table rows.csv\n"
+    "  ariadne-loop-experiment run ini/experiments/small.ini oracle.csv --oracle --laps 6\n"
     "  ariadne-loop-experiment neff ini/experiments/nested.ini neff.png --laps 4\n"
     "  ariadne-loop-experiment neff-log truth.tum neff.png --plain a-*/steps.csv --revisit "
     "b-*/steps.csv";
@@ -46,8 +47,8 @@ struct Arguments {
   std::vector<std::string> revisit;
   std::vector<std::string> settings;
   std::optional<int> laps;
-  std::uint64_t first = 1;
-  std::uint64_t last = 10;
+  loops_app::Seeds seeds;
+  bool oracle = false;
   bool print_config = false;
 };
 
@@ -55,67 +56,23 @@ experiment::LoopConfig configOf(const Arguments& args) {
   experiment::LoopConfig config;
   io::applyIni(config, io::parseIni(io::readIniText(args.ini), args.ini, io::IniDialect::strict));
   const fs::path folder = fs::path(args.ini).parent_path();
-  config.files.world = (folder / config.files.world).string();
-  config.files.path = (folder / config.files.path).string();
+  for (std::string* file : {&config.files.world, &config.files.path})
+    if (!file->empty()) *file = (folder / *file).string();
   for (const std::string& setting : args.settings) io::setField(config, io::parseSetting(setting));
+  if (!config.files.log.empty())
+    config.files.log = io::datasetPlace(config.files.log, folder).string();
   return config;
-}
-
-std::vector<LoopRow> rowsSoFar(const fs::path& file) {
-  std::error_code ignored;
-  return fs::exists(file, ignored) ? experiment::readRows(file) : std::vector<LoopRow>();
-}
-
-void runAll(const Arguments& args, std::ostream& err) {
-  if (args.last < args.first) throw core::UsageError("--last is before --first");
-  const experiment::LoopConfig config = configOf(args);
-  const sim::World world = sim::readWorld(config.files.world);
-  const sim::DrivePath path = sim::readPath(config.files.path, args.laps);
-  const std::string name = fs::path(config.files.path).stem().string();
-  const int laps = path.has_laps_block ? path.laps : 0;
-  std::vector<LoopRow> rows = rowsSoFar(args.rows);
-  const sim::TruthDrive truth = sim::driveThrough(world, path, config.sim.drive);
-  for (std::uint64_t seed = args.first; seed <= args.last; ++seed) {
-    const bool done = std::any_of(rows.begin(), rows.end(), [&](const LoopRow& r) {
-      return r.name == name && r.laps == laps && r.seed == seed;
-    });
-    if (done) continue;
-    const auto result =
-        experiment::runLoop(truth, config.sim.noise, config.slam, config.correct, seed);
-    rows.push_back({name, laps, seed, result});
-    io::writeWhole(args.rows, experiment::toCsv(rows));
-    fmt::print(err, "{}, {} laps, seed {} of {}: recovery {:.2f} m, standard {:.2f} m\n", name,
-               laps, seed, args.last, result.recovered.worst_translation_m,
-               result.standard.worst_translation_m);
-  }
 }
 
 void drawNeff(const Arguments& args, std::ostream& out) {
   const experiment::LoopConfig config = configOf(args);
+  if (!config.files.log.empty())
+    throw core::UsageError(args.ini + ": neff needs world and path, not a log");
   const sim::World world = sim::readWorld(config.files.world);
   const sim::DrivePath path = sim::readPath(config.files.path, args.laps);
   loops_app::writeNeffChart(args.rows, config, sim::driveThrough(world, path, config.sim.drive),
-                            args.first);
+                            args.seeds.first);
   fmt::print(out, "{}: Neff over the drive, plain and with the revisit weights\n", args.rows);
-}
-
-/// A CSV line a seed.
-void printOracle(const Arguments& args, std::ostream& out) {
-  const experiment::LoopConfig config = configOf(args);
-  const sim::World world = sim::readWorld(config.files.world);
-  const sim::DrivePath path = sim::readPath(config.files.path, args.laps);
-  const sim::TruthDrive truth = sim::driveThrough(world, path, config.sim.drive);
-  out << "seed,oracle_chosen,recovered_chosen,standard_chosen,oracle_ate_m,recovered_ate_m,"
-         "standard_ate_m,kl_recovered_nats,kl_standard_nats\n";
-  for (std::uint64_t seed = args.first; seed <= args.last; ++seed) {
-    const auto r =
-        experiment::runOracle(truth, config.sim.noise, config.slam, config.correct, seed);
-    if (!r) throw core::Error(fmt::format("seed {}: no loop was recovered", seed));
-    fmt::print(out, "{},{:d},{:d},{:d},{:.3f},{:.3f},{:.3f},{:.2f},{:.2f}\n", seed,
-               r->oracle.chosen, r->recovered.chosen, r->standard.chosen, r->oracle.ate_m,
-               r->recovered.ate_m, r->standard.ate_m, r->kl_recovered_nats, r->kl_standard_nats);
-    out.flush();
-  }
 }
 
 void printTable(const Arguments& args, std::ostream& out) {
@@ -135,24 +92,22 @@ int run(std::vector<std::string> args, std::ostream& out, std::ostream& err) {
   Arguments a;
   const auto addDrive = [&](CLI::App* sub, const char* about_out, const char* about_seed) {
     sub->add_option("INI", a.ini, "experiment, as ini/experiments/*.ini")->required();
-    if (about_out) sub->add_option("OUT", a.rows, about_out);
+    sub->add_option("OUT", a.rows, about_out);
     sub->add_option("--laps", a.laps, "of the inner loop, where the drive has some");
-    sub->add_option("--first", a.first, about_seed)->capture_default_str();
+    sub->add_option("--first", a.seeds.first, about_seed)->capture_default_str();
     sub->add_option("--set", a.settings, "section.key=value, over the INI")
         ->allow_extra_args(false);
   };
   CLI::App* run = app.add_subcommand("run", "Paired runs, added to a CSV file");
   addDrive(run, "CSV file of the rows", "first seed");
-  run->add_option("--last", a.last, "last seed")->capture_default_str();
+  run->add_option("--last", a.seeds.last, "last seed")->capture_default_str();
+  run->add_flag("--oracle", a.oracle,
+                "instead of pairs the first loop with one filter a particle next to recovery and "
+                "without; small worlds");
   run->add_flag("--print-config", a.print_config, "print the resolved INI and stop");
   CLI::App* neff = app.add_subcommand("neff", "Picture of Neff over one drive");
   addDrive(neff, "PNG to write", "the seed");
   neff->get_option("OUT")->required();
-  CLI::App* oracle = app.add_subcommand(
-      "oracle",
-      "The first loop with one filter a particle next to the recovery; CSV, small worlds");
-  addDrive(oracle, nullptr, "first seed");
-  oracle->add_option("--last", a.last, "last seed")->capture_default_str();
   CLI::App* table = app.add_subcommand("table", "Rates with intervals, tests and losses, Markdown");
   table->add_option("ROWS", a.tables, "CSV files")->required();
   CLI::App* log = app.add_subcommand(
@@ -175,9 +130,7 @@ int run(std::vector<std::string> args, std::ostream& out, std::ostream& err) {
   else if (*run && a.rows.empty())
     throw core::UsageError("OUT is missing: the CSV file of the rows (see --help)");
   else if (*run)
-    runAll(a, err);
-  else if (*oracle)
-    printOracle(a, out);
+    loops_app::runSeeds(configOf(a), a.laps, a.seeds, a.oracle, a.rows, err);
   else if (*neff)
     drawNeff(a, out);
   else if (*log)

@@ -83,6 +83,9 @@ TEST_F(ExperimentApp, ARunOfOursWithATypoFailsThePlan) {
       "[arm.third]\nprogram = ariadne-slam\nconfig = empty.ini\nset.filter.particels = 3\n");
   EXPECT_EQ(runInto("a"), 2);
   EXPECT_TRUE(says("the nearest is \"particles\"")) << err;
+  writeExperiment("[arm.third]\nprogram = ariadne-slam\nconfig = empty.ini\n");
+  EXPECT_EQ(runInto("a"), 2);
+  EXPECT_TRUE(says("names a log: dataset = LOG")) << err;
   EXPECT_FALSE(fs::exists(at("a")));
 }
 
@@ -167,6 +170,7 @@ TEST_F(ExperimentApp, AFolderThatCannotBeWritten) {
       "echo > \"$here/a/runs\"");
   EXPECT_EQ(run({"run", ini().string(), "--out", at("a"), "--jobs", "1"}), 1);
   EXPECT_TRUE(says("cannot write")) << err;
+  EXPECT_TRUE(says("finished runs are kept; the same command goes on")) << err;
   fs::remove(folder / "a" / "runs");
   fs::rename(folder / "gone" / "runs", folder / "a" / "runs");
   EXPECT_EQ(runInto("a"), 0) << err;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -44,6 +45,48 @@ TEST(LoopsApp, RunsOnceAndGoesOn) {
   EXPECT_EQ(table.code, 0);
   EXPECT_NE(table.out.find("| small | 1 |"), std::string::npos) << table.out;
   fs::remove(rows);
+}
+
+TEST(LoopsApp, TheOracleIsARowOfThreeArms) {
+  const fs::path rows =
+      fs::temp_directory_path() / ("oracle-" + std::to_string(::getpid()) + ".csv");
+  const std::vector<std::string> args{"run",    smallIni(), rows.string(), "--oracle",
+                                      "--laps", "1",        "--first",     "3",
+                                      "--last", "3",        "--set",       "filter.particles=5"};
+  const Ran ran = run(args);
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.err.find("KL from the oracle's set: recovery "), std::string::npos) << ran.err;
+  std::ifstream in(rows);
+  std::string header;
+  std::string row;
+  std::getline(in, header);
+  std::getline(in, row);
+  EXPECT_EQ(header.rfind("name,laps,seed,oracle_exists,oracle_chosen,", 0), 0U) << header;
+  EXPECT_NE(header.find(",standard_kl_nats"), std::string::npos) << header;
+  EXPECT_EQ(row.rfind("small,1,3,", 0), 0U) << row;
+  EXPECT_EQ(std::count(row.begin(), row.end(), ','), std::count(header.begin(), header.end(), ','));
+  EXPECT_EQ(run(args).err, "") << "done already";
+  const Ran pairs = run({"run", smallIni(), rows.string(), "--laps", "1"});
+  EXPECT_EQ(pairs.code, 1);
+  EXPECT_NE(pairs.err.find("rows of another command"), std::string::npos) << pairs.err;
+  fs::remove(rows);
+}
+
+TEST(LoopsApp, MapsALogWhosePosesAreTrue) {
+  const fs::path rows = fs::temp_directory_path() / ("log-" + std::to_string(::getpid()) + ".csv");
+  const fs::path ini = fs::temp_directory_path() / ("log-" + std::to_string(::getpid()) + ".ini");
+  std::ofstream(ini) << "[experiment]\nlog = " << std::getenv("ARIADNE_SOURCE_DIR")
+                     << "/datasets/drives/small.rawlog\n[log_noise]\nrot_trans = 0.005\n"
+                     << "[filter]\nparticles = 3\n[grid]\nresolution_m = 0.1\n";
+  const Ran ran = run({"run", ini.string(), rows.string(), "--first", "2", "--last", "2"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(ariadne::experiment::readRows(rows).at(0).name, "small");
+  EXPECT_EQ(run({"run", ini.string(), rows.string(), "--laps", "2"}).code, 2);
+  EXPECT_EQ(run({"neff", ini.string(), "x.png"}).code, 2);
+  std::ofstream(ini) << "[experiment]\nlog = none.log\n";
+  EXPECT_EQ(run({"run", ini.string(), "x.csv"}).code, 1);
+  fs::remove(rows);
+  fs::remove(ini);
 }
 
 TEST(LoopsApp, SaysWhatIsWrong) {

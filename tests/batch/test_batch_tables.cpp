@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "ariadne/batch/figures.h"
+#include "ariadne/batch/runs_csv.h"
 #include "ariadne/batch/tables.h"
 #include "ariadne/core/error.h"
 #include "ariadne/eval/exact_tests.h"
@@ -68,11 +69,12 @@ TEST(BatchTables, CountsMediansAndPairs) {
 
 TEST(BatchTables, InFourFormats) {
   const Made m = make("a_factor|x");
-  EXPECT_EQ(tableText(m, TableFormat::csv),
-            "a_factor|x,arm,runs,failed,successes,rate,rate_low,rate_high,x,only_first,only_this,p,"
-            "p_holm\n"
-            "7,one,10,0,3,0.300000,0.107791,0.603222,5.5,,,,\n"
-            "7,two_b,9,1,8,0.888889,0.565000,0.980109,50,1,6,0.125,0.125\n");
+  EXPECT_EQ(
+      tableText(m, TableFormat::csv),
+      "a_factor|x,arm,runs,failed,successes,rate,rate_low,rate_high,x,x_low,x_high,only_first,"
+      "only_this,p,p_holm\n"
+      "7,one,10,0,3,0.300000,0.107791,0.603222,5.5,3,8,,,,\n"
+      "7,two_b,9,1,8,0.888889,0.565000,0.980109,50,20,80,1,6,0.125,0.125\n");
   const std::string text = tableText(m, TableFormat::text);
   EXPECT_NE(text.find("7           two_b  9     1       8/9 (89 %)   57-98 %"), std::string::npos)
       << text;
@@ -82,11 +84,37 @@ TEST(BatchTables, InFourFormats) {
   EXPECT_NE(latex.find("7 & two\\_b & 9 & 1 & 8/9 (89 \\%)"), std::string::npos) << latex;
 }
 
+TEST(BatchTables, ChangesAreOfPairs) {
+  Made m = make("laps");
+  m.plan.relative = {"x"};
+  m.results["4b"].figures["b_x"] = 2;  // 50 % less than the first arm's 4; the others 900 % more
+  const auto cells = cellsOf(m.plan, m.results);
+  EXPECT_TRUE(cells[0].changes[0].empty()) << "the first arm is not compared with itself";
+  EXPECT_EQ(cells[1].changes[0],
+            (std::vector<double>{900, 900, 900, -50, 900, 900, 900, 900, 900}));
+  const std::string text = tableText(m, TableFormat::text);
+  EXPECT_NE(text.find("x against one, %"), std::string::npos) << text;
+  EXPECT_NE(text.find("+900.0 [+900.0, +900.0]"), std::string::npos) << text;
+  EXPECT_NE(tableText(m, TableFormat::csv).find(",x_change_percent,"), std::string::npos);
+}
+
+TEST(BatchTables, RunsAsCsvHaveNoTimesHostsOrPaths) {
+  Made m = make("laps");
+  m.results["2a"].host = "here";
+  m.results["2a"].wall_s = 7.25;
+  m.results["2a"].figures["x"] = 0.1;
+  m.results.erase("1b");
+  const std::string csv = runsCsv(m.plan, m.results);
+  EXPECT_EQ(csv.substr(0, csv.find("\n3,")),
+            "seed,laps,arm,failed,success,x\n1,7,one,0,1,1\n2,7,one,0,1,0.1\n2,7,two_b,0,1,20");
+  EXPECT_NE(csv.find("\n10,7,two_b,1,,\n"), std::string::npos) << "it crashed: " << csv;
+}
+
 TEST(BatchTables, WithoutResultsItIsEmptyNotWrong) {
   Made m = make("laps");
   m.results.clear();
   const std::string text = tableText(m, TableFormat::csv);
-  EXPECT_NE(text.find("7,one,0,0,0,,0.000000,1.000000,,,,,\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("7,one,0,0,0,,0.000000,1.000000,,,,,,,\n"), std::string::npos) << text;
 }
 
 TEST(BatchTables, AFigureThatNoRunHasIsNamed) {

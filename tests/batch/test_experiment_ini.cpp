@@ -64,6 +64,35 @@ TEST(ExperimentIni, ReadsAll) {
   EXPECT_TRUE(x.limits.keep_files);
 }
 
+TEST(ExperimentIni, AFactorsValuesMayNameSettings) {
+  const Experiment x = batch::parseExperiment(
+      kBase + "relative = x\n[factor.noise]\nvalues = as it is, 0.5\nset.0.5.noise.turn = 0.1\n" +
+          "set.0.5.noise.side = 0.2\n",
+      "e.ini");
+  ASSERT_EQ(x.factors.size(), 1U);
+  EXPECT_EQ(x.factors[0].values, (std::vector<std::string>{"as it is", "0.5"}));
+  ASSERT_EQ(x.factors[0].settings.size(), 1U);
+  const auto& half = x.factors[0].settings.at("0.5");
+  ASSERT_EQ(half.size(), 2U);
+  EXPECT_EQ(half[0].key, "noise.turn");
+  EXPECT_EQ(half[1].key, "noise.side");
+  EXPECT_EQ(half[1].value, "0.2");
+  EXPECT_EQ(x.relative, (std::vector<std::string>{"x"}));
+}
+
+TEST(ExperimentIni, ErrorsOfAFactorsSettings) {
+  const std::string factor = kBase + "[factor.p]\nvalues = half, all\n";
+  expectIn("no error", factor + "set.half.a.b = 1\n");
+  expectIn("e.ini:8: [factor.p] set.hlaf.a.b: hlaf is none of its values; the nearest is half",
+           factor + "set.hlaf.a.b = 1\n");
+  expectIn("e.ini:10: [factor.p] set.half.b", factor + "set.half.b = 1\n");
+  expectIn("set.VALUE.SECTION.KEY", factor + "set.half.b = 1\n");
+  expectIn("has a key and set.VALUE", factor + "key = a.b\nset.half.a.b = 1\n");
+  expectIn("has no key", factor);
+  expectIn("has no values", kBase + "[factor.p]\nset.half.a.b = 1\n");
+  expectIn("relative = y: takes figures that names has, here x", kBase + "relative = y\n");
+}
+
 TEST(ExperimentIni, ErrorsNamePlaceAndRemedy) {
   expectIn("no error", kBase);
   expectIn("title is missing", "[arm.a]\nprogram = x\nconfig = y\n[figures]\nnames = x\n");

@@ -84,6 +84,25 @@ TEST_F(Planning, ATypoInAnyArmFailsThePlan) {
   EXPECT_NE(said.find("there is no such key"), std::string::npos) << said;
 }
 
+TEST_F(Planning, AFactorsValueSetsManyKeys) {
+  io::writeWhole(folder / "x.world", std::string_view("room"));
+  writeExperiment(
+      "[seeds]\nlast = 1\n[factor.n]\nvalues = 1, 0.5\nset.0.5.a.p = 7\nset.0.5.a.q = x.world\n");
+  const batch::Plan p = plan();
+  ASSERT_EQ(p.runs.size(), 4U);
+  EXPECT_EQ(batch::describe(p, p.runs[2]), "seed 1, n 0.5, first");
+  const std::string settings = "all =  a.p=7 a.q=" + (folder / "x.world").string();
+  EXPECT_EQ(p.configs.at(p.runs[0].config).find("a.p"), std::string::npos);
+  EXPECT_NE(p.configs.at(p.runs[2].config).find(settings), std::string::npos)
+      << p.configs.at(p.runs[2].config);
+  writeExperiment("[factor.n]\nvalues = 1\nset.1.a.q = none/x.world\n");
+  EXPECT_NE(message().find("[factor.n] set.1.a.q: there is no file none/x.world"),
+            std::string::npos)
+      << message();
+  writeExperiment("[factor.n]\nvalues = 1\nset.1.a.typo = 3\n");
+  EXPECT_NE(message().find("there is no such key"), std::string::npos) << message();
+}
+
 TEST_F(Planning, ErrorsNameWhatIsMissing) {
   const std::string arm = "[arm.third]\nconfig = arm.ini\n";
   writeExperiment(arm + "program = ariadne-slma\n");

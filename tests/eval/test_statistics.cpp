@@ -26,6 +26,11 @@ TEST(Wilson, IsThatOfNewcombe) {
   EXPECT_THROW(eval::wilsonInterval(1, 0), core::Error);
 }
 
+// Fagerland, Lydersen and Laake, BMC Medical Research Methodology 13 (2013), 91: airway
+// hyper-responsiveness of 21 children before and after a transplantation, 1 against 7 discordant
+// pairs: exact conditional p = 0.0703.
+TEST(McNemar, IsThatOfFagerland) { EXPECT_NEAR(eval::mcnemarTest(1, 7), 0.0703, 5e-5); }
+
 TEST(McNemar, IsTheBinomialTest) {
   // 2 P(X <= 1), X ~ Bin(10, 1/2) = 2 (1 + 10) / 1024.
   EXPECT_NEAR(eval::mcnemarTest(1, 9), 22.0 / 1024, 1e-12);

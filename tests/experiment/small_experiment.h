@@ -28,7 +28,7 @@ struct Small {
     drive = sim::driveThrough(world, sim::readPath(data + "drives/small.path", 2), drive_params);
   }
   experiment::LoopRunResult run(std::uint64_t seed) const {
-    return experiment::runLoop(drive, noise, params, {}, seed);
+    return experiment::runLoop(sim::observe(drive, noise, seed), params, {}, seed);
   }
   sim::World world;
   sim::DriveParams drive_params;

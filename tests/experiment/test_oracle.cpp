@@ -11,7 +11,8 @@ TEST(Oracle, TheRecoveredSetIsNearerToItThanWhatTheLapsLeft) {
   double recovered = 0;
   double standard = 0;
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    const auto r = experiment::runOracle(small.drive, small.noise, small.params, {}, seed);
+    const auto r =
+        experiment::runOracle(sim::observe(small.drive, small.noise, seed), small.params, {}, seed);
     ASSERT_TRUE(r) << seed;
     recovered += r->kl_recovered_nats;
     standard += r->kl_standard_nats;

@@ -4,6 +4,7 @@
 
 #include "ariadne/core/error.h"
 #include "ariadne/io/tum.h"
+#include "resolved_config.h"
 
 namespace ariadne::batch {
 namespace {
@@ -18,11 +19,35 @@ std::string fileOr(const std::string& value, const fs::path& folder) {
 }
 
 /// A value with a slash is meant as a file: without it every run would fail, not the plan.
-void checkValue(const Factor& factor, const std::string& value, const fs::path& folder) {
+std::string checkedFile(const Factor& factor, const std::string& key, const std::string& text,
+                        const fs::path& folder) {
   std::error_code ignored;
-  if (value.find('/') == std::string::npos || fs::exists(value, ignored)) return;
-  throw core::UsageError(fmt::format("{}: [factor.{}] values: there is no file {} (from {})",
-                                     factor.where, factor.name, value, folder.string()));
+  std::string value = fileOr(text, folder);
+  if (value.find('/') != std::string::npos && !fs::exists(value, ignored))
+    throw core::UsageError(fmt::format("{}: [factor.{}] {}: there is no file {} (from {})",
+                                       factor.where, factor.name, key, value, folder.string()));
+  return value;
+}
+
+/// The arm at the factor's value.
+void addValue(ArmCall& call, const Factor& factor, const std::string& value,
+              const fs::path& folder) {
+  const auto named = factor.settings.find(value);
+  if (factor.key.empty()) {
+    if (named == factor.settings.end()) return;
+    for (const Setting& s : named->second)
+      call.settings.push_back(
+          s.key + "=" +
+          checkedFile(factor, fmt::format("set.{}.{}", value, s.key), s.value, folder));
+    return;
+  }
+  const std::string given = checkedFile(factor, "values", value, folder);
+  if (factor.key[0] == '-') {
+    call.args.push_back(factor.key);
+    call.args.push_back(given);
+  } else {
+    call.settings.push_back(factor.key + "=" + given);
+  }
 }
 
 }  // namespace
@@ -35,17 +60,7 @@ ArmCall callOf(const Experiment& x, const Arm& arm, const Combination& values) {
   for (const std::string& a : arm.args) call.args.push_back(fileOr(a, folder));
   for (const Setting& s : arm.settings)
     call.settings.push_back(s.key + "=" + fileOr(s.value, folder));
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const std::string value = fileOr(values[i], folder);
-    checkValue(x.factors[i], value, folder);
-    const std::string& key = x.factors[i].key;
-    if (key[0] == '-') {
-      call.args.push_back(key);
-      call.args.push_back(value);
-    } else {
-      call.settings.push_back(key + "=" + value);
-    }
-  }
+  for (std::size_t i = 0; i < values.size(); ++i) addValue(call, x.factors[i], values[i], folder);
   return call;
 }
 
@@ -69,10 +84,8 @@ void checkCall(const Arm& arm, const Program& program, const ArmCall& call) {
   if (!fs::is_regular_file(call.config, ignored))
     fail(fmt::format("config = {}: there is no file {}", arm.config, call.config.string()));
   if (!call.dataset.empty() && !fs::is_regular_file(call.dataset, ignored))
-    fail(
-        fmt::format("dataset = {}: there is no file {}. MRPT's sample log comes with the package "
-                    "mrpt-common; README.md, \"Logs\", says where to get the others",
-                    arm.dataset, call.dataset));
+    fail(fmt::format("dataset = {}: there is no file {}. {}", arm.dataset, call.dataset,
+                     kWhereDataAre));
   if (program.kind == ProgramKind::stock && call.dataset.empty())
     fail("ariadne-stock-rbpf needs a dataset, a rawlog of actions and frames");
   if (program.kind == ProgramKind::stock && !call.settings.empty())

@@ -18,9 +18,9 @@ const std::vector<KnownSection>& knownSections() {
   static const std::vector<KnownSection> known = {
       {"experiment", {"title"}},
       {"arm.NAME", {"program", "config", "dataset", "truth", "args", "prefix", "set.SECTION.KEY"}},
-      {"factor.NAME", {"key", "values"}},
+      {"factor.NAME", {"key", "values", "set.VALUE.SECTION.KEY"}},
       {"seeds", {"first", "last"}},
-      {"figures", {"names", "success"}},
+      {"figures", {"names", "success", "relative"}},
       {"plots", {"figures", "over"}},
       {"limits", {"time_s", "threads", "keep_files"}}};
   return known;
@@ -68,6 +68,15 @@ void setArm(Arm& arm, const IniEntry& e) {
     throw noSuchKey(e, "arm.NAME");
 }
 
+/// set.VALUE.SECTION.KEY: the value may hold dots, as 0.5.
+void addToValue(Factor& factor, const IniEntry& e) {
+  const std::size_t key = e.key.rfind('.');
+  const std::size_t section = e.key.rfind('.', key - 1);
+  if (section == std::string::npos || section <= 4)
+    throw io::entryError(e, "is no set.VALUE.SECTION.KEY, as set.2.noise.turn_per_turn");
+  factor.settings[e.key.substr(4, section - 4)].push_back({e.key.substr(section + 1), e.value});
+}
+
 void setFactor(Factor& factor, const IniEntry& e) {
   if (e.key == "key") {
     if (!startsWith(e.value, "--") && e.value.find('.') == std::string::npos)
@@ -78,6 +87,8 @@ void setFactor(Factor& factor, const IniEntry& e) {
     std::set<std::string> once(factor.values.begin(), factor.values.end());
     if (factor.values.empty() || once.size() != factor.values.size())
       throw io::entryError(e, "takes values with commas between them, each once");
+  } else if (startsWith(e.key, "set.")) {
+    addToValue(factor, e);
   } else {
     throw noSuchKey(e, "factor.NAME");
   }
@@ -93,6 +104,8 @@ void setOther(Experiment& x, const IniEntry& e) {
     x.last_seed = static_cast<std::uint64_t>(io::wholeOf(e, {0, kLastSeed}));
   else if (e.section == "figures" && e.key == "names")
     x.figures = splitList(e.value, ",");
+  else if (e.section == "figures" && e.key == "relative")
+    x.relative = splitList(e.value, ",");
   else if (e.section == "figures" && e.key == "success")
     x.success = parseSuccess(e);
   else if (e.section == "plots" && e.key == "figures")
@@ -128,6 +141,28 @@ void require(bool given, const std::string& where, const std::string& what) {
   if (!given) throw core::UsageError(fmt::format("{}: {}", where, what));
 }
 
+void checkFactor(const Factor& factor) {
+  const auto check = [&](bool fine, const std::string& what) {
+    require(fine, factor.where, fmt::format("[factor.{}] {}", factor.name, what));
+  };
+  check(!factor.values.empty(), "has no values");
+  check(!factor.key.empty() || !factor.settings.empty(),
+        "has no key, as filter.particles or --laps, and no set.VALUE.SECTION.KEY");
+  check(factor.key.empty() || factor.settings.empty(),
+        "has a key and set.VALUE.SECTION.KEY: values are given to the key or name settings");
+  for (const auto& [value, settings] : factor.settings)
+    check(std::find(factor.values.begin(), factor.values.end(), value) != factor.values.end(),
+          fmt::format("set.{}.{}: {} is none of its values; the nearest is {}", value,
+                      settings[0].key, value, io::nearestName(value, factor.values)));
+}
+
+void checkRelative(const Experiment& x) {
+  for (const std::string& name : x.relative)
+    require(std::find(x.figures.begin(), x.figures.end(), name) != x.figures.end(), x.file.string(),
+            fmt::format("[figures] relative = {}: takes figures that names has, here {}", name,
+                        fmt::join(x.figures, ", ")));
+}
+
 void checkComplete(const Experiment& x) {
   const std::string file = x.file.string();
   require(!x.title.empty(), file,
@@ -139,12 +174,8 @@ void checkComplete(const Experiment& x) {
     require(!arm.config.empty(), arm.where,
             fmt::format("[arm.{}] has no config, the program's INI", arm.name));
   }
-  for (const Factor& factor : x.factors) {
-    require(!factor.key.empty(), factor.where,
-            fmt::format("[factor.{}] has no key, as filter.particles or --laps", factor.name));
-    require(!factor.values.empty(), factor.where,
-            fmt::format("[factor.{}] has no values", factor.name));
-  }
+  for (const Factor& factor : x.factors) checkFactor(factor);
+  checkRelative(x);
   require(x.first_seed <= x.last_seed, file,
           fmt::format("[seeds] last = {} is before first = {}", x.last_seed, x.first_seed));
   require(!x.figures.empty() || !x.success.figure.empty(), file,

@@ -42,6 +42,7 @@ class Planner {
     plan_.title = x_.title;
     plan_.ini = x_.text;
     plan_.figures = x_.figures;
+    plan_.relative = x_.relative;
     plan_.success = x_.success;
     plan_.plots = x_.plots;
     plan_.limits = x_.limits;

@@ -53,6 +53,7 @@ std::string planText(const Plan& plan) {
                {"factors", plan.factors},
                {"arms", Json::array()},
                {"figures", plan.figures},
+               {"relative", plan.relative},
                {"success",
                 {{"figure", plan.success.figure},
                  {"relation", plan.success.relation},
@@ -83,6 +84,8 @@ Plan parsePlan(const std::string& text, const std::string& name) {
     plan.factors = json.at("factors").get<std::vector<std::string>>();
     for (const Json& arm : json.at("arms")) plan.arms.push_back(armOf(arm));
     plan.figures = json.at("figures").get<std::vector<std::string>>();
+    if (json.contains("relative"))  // not in plans of earlier versions
+      plan.relative = json["relative"].get<std::vector<std::string>>();
     const Json& success = json.at("success");
     plan.success = {success.at("figure"), success.at("relation"), success.at("bound")};
     if (json.contains("plots"))  // not in plans of the first version

@@ -6,14 +6,11 @@
 #include <utility>
 
 #include "ariadne/eval/interval.h"
+#include "median_interval.h"
 #include "plot_axis.h"
 
 namespace ariadne::batch {
 namespace {
-
-/// Puts the ends of a 95 % interval on an order statistic, as 9999 does; of 10,000 runs with four
-/// figures it is a second, not five.
-constexpr std::size_t kResamples = 1999;
 
 /// Nothing when no run of the cell is known.
 using PointOf = std::function<std::optional<PlotPoint>(const Cell&)>;
@@ -28,9 +25,7 @@ std::optional<PlotPoint> ratePoint(const Cell& cell) {
 std::optional<PlotPoint> medianPoint(const Cell& cell, std::size_t figure) {
   const auto& values = cell.samples[figure];
   if (values.empty()) return std::nullopt;
-  // The same numbers for every cell: its interval depends on nothing but its values.
-  core::RandomStream rng(1, 0, 0, core::Purpose::bootstrap);
-  const eval::Interval i = eval::medianInterval(values, rng, 0.95, kResamples);
+  const eval::Interval i = medianInterval95(values);
   return PlotPoint{0, *cell.medians[figure], i.low, i.high, values.size()};
 }
 

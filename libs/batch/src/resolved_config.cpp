@@ -13,7 +13,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kPrintLimit_s = 60;
+// What takes a moment; on a machine with many more jobs than cores one was seen to take over a
+// minute.
+constexpr double kPrintLimit_s = 300;
 
 /// A file that is gone with this.
 struct TemporaryFile {
@@ -31,7 +33,7 @@ std::string trimmedEnd(std::string text) {
 
 bool isData(const io::IniEntry& e) {
   return ((e.section == "world" || e.section == "dataset") && e.key == "file") ||
-         (e.section == "experiment" && (e.key == "world" || e.key == "path"));
+         (e.section == "experiment" && (e.key == "world" || e.key == "path" || e.key == "log"));
 }
 
 bool isFile(const std::string& value) {
@@ -40,6 +42,13 @@ bool isFile(const std::string& value) {
 }
 
 }  // namespace
+
+const char* const kWhereDataAre =
+    "Worlds and drives are in datasets/ (ariadne-dataset makes others); MRPT's sample log comes "
+    "with the package mrpt-common; the others, as the Infinite Corridor, Intel and MIT CSAIL, are "
+    "at http://ais.informatik.uni-freiburg.de/slamevaluation/datasets.php and the Radish archive's "
+    "mirrors (README.md, \"Logs\"): put them into ../shared/datasets or where ARIADNE_DATASETS "
+    "says";
 
 std::string resolvedConfig(const Program& program, const ArmCall& call, const std::string& where) {
   const auto command = configCommand(program, call);
@@ -73,12 +82,12 @@ std::string meaningOf(const std::string& config, const std::string& where, FileH
   std::string meaning;
   for (const io::IniEntry& e : document.entries) {
     if (e.section == "run") continue;
+    if (e.section == "dataset" && e.key == "file" && e.value.empty())
+      throw core::UsageError(fmt::format(
+          "{}: neither it nor its INI names a log: dataset = LOG. {}", where, kWhereDataAre));
     if (isData(e) && !e.value.empty() && !isFile(e.value))
-      throw core::UsageError(
-          fmt::format("{}: [{}] {} = {}: there is no such file. Worlds and drives are in datasets/ "
-                      "(ariadne-dataset makes others); MRPT's sample log comes with the package "
-                      "mrpt-common; README.md, \"Logs\", says where to get the others",
-                      where, e.section, e.key, e.value));
+      throw core::UsageError(fmt::format("{}: [{}] {} = {}: there is no such file. {}", where,
+                                         e.section, e.key, e.value, kWhereDataAre));
     meaning +=
         fmt::format("[{}] {} = {}\n", e.section, e.key, meaningOfWord(e.value, hashes, files));
   }

@@ -7,6 +7,9 @@
 
 namespace ariadne::batch {
 
+/// What to install or where to get a data file that is missing.
+extern const char* const kWhereDataAre;
+
 /// Asks the program with --print-config (a program that cannot: the INI as it is).
 /// Throws core::UsageError at `where` with what the program said.
 std::string resolvedConfig(const Program& program, const ArmCall& call, const std::string& where);

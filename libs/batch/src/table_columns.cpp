@@ -1,18 +1,13 @@
 // The cells of an experiment as a table: which columns there are, and how each is written.
 #include <fmt/format.h>
 
-#include <functional>
-
 #include "ariadne/batch/tables.h"
 #include "ariadne/eval/interval.h"
+#include "figure_columns.h"
 
 namespace ariadne::batch {
 namespace {
 
-struct Column {
-  std::string name;
-  std::function<std::string(const Cell&)> text;
-};
 using Columns = std::vector<Column>;
 
 double rateOf(const Cell& c) {
@@ -80,12 +75,7 @@ Columns columnsOf(const Plan& plan, bool csv) {
   columns.push_back({"runs", [](const Cell& c) { return std::to_string(c.finished); }});
   columns.push_back({"failed", [](const Cell& c) { return std::to_string(c.failed); }});
   if (!plan.success.figure.empty()) addRates(columns, csv);
-  for (std::size_t i = 0; i < plan.figures.size(); ++i)
-    columns.push_back(
-        {plan.figures[i], [i, csv](const Cell& c) {
-           const auto& m = c.medians[i];
-           return !m ? "" : csv ? fmt::format("{:.10g}", *m) : fmt::format("{:.4g}", *m);
-         }});
+  addFigures(columns, plan, csv);
   if (!plan.success.figure.empty() && plan.arms.size() > 1) addPairs(columns, csv);
   return columns;
 }
@@ -102,7 +92,14 @@ std::vector<std::string> notesOf(const Plan& plan) {
         "p: McNemar's exact test on the seeds that {} and the arm have both finished; Holm: "
         "adjusted for all of this table.",
         plan.arms[0].name));
-  if (!plan.figures.empty()) notes.emplace_back("Figures are medians of the runs that have them.");
+  if (!plan.figures.empty())
+    notes.emplace_back(
+        "Figures are medians of the runs that have them, with the bootstrap's 95 % interval (under "
+        "ten runs it covers less).");
+  if (!plan.relative.empty() && plan.arms.size() > 1)
+    notes.push_back(
+        fmt::format("Against {}: median of the changes seed by seed, likewise with its interval.",
+                    plan.arms[0].name));
   return notes;
 }
 

@@ -7,32 +7,13 @@
 #include "ariadne/core/error.h"
 #include "ariadne/core/names.h"
 #include "ariadne/eval/exact_tests.h"
-#include "ariadne/eval/interval.h"
+#include "cell_pairs.h"
 
 namespace ariadne::batch {
 namespace {
 
 using Results = std::map<std::string, RunResult>;
 using Values = std::vector<std::string>;
-
-/// The figures' names as the arm's program calls them.
-Success successOf(const Plan& plan, std::size_t arm) {
-  Success success = plan.success;
-  success.figure = plan.arms[arm].prefix + success.figure;
-  return success;
-}
-
-std::optional<double> median(std::vector<double> values) {
-  if (values.empty()) return std::nullopt;
-  std::sort(values.begin(), values.end());
-  const std::size_t m = values.size() / 2;
-  return values.size() % 2 == 1 ? values[m] : (values[m - 1] + values[m]) / 2;
-}
-
-/// Of one cell: seed to result.
-using Runs = std::map<std::uint64_t, const RunResult*>;
-
-bool isFinished(const RunResult* r) { return r->failure.empty(); }
 
 Cell cellOf(const Plan& plan, const Values& values, std::size_t arm, std::size_t planned,
             const Runs& runs) {
@@ -54,22 +35,8 @@ Cell cellOf(const Plan& plan, const Values& values, std::size_t arm, std::size_t
       if (found != result->figures.end()) cell.samples[i].push_back(found->second);
     }
   }
-  for (const auto& sample : cell.samples) cell.medians.push_back(median(sample));
+  for (const auto& sample : cell.samples) cell.medians.push_back(medianOf(sample));
   return cell;
-}
-
-Pairs pairsOf(const Plan& plan, const Runs& first, const Runs& runs, std::size_t arm) {
-  Pairs pairs;
-  for (const auto& [seed, result] : runs) {
-    const auto other = first.find(seed);
-    if (other == first.end() || !isFinished(result) || !isFinished(other->second)) continue;
-    const bool this_one = successOf(plan, arm).of(result->figures);
-    const bool first_one = successOf(plan, 0).of(other->second->figures);
-    pairs.only_first += first_one && !this_one ? 1 : 0;
-    pairs.only_this += this_one && !first_one ? 1 : 0;
-  }
-  pairs.p = eval::mcnemarTest(pairs.only_first, pairs.only_this);
-  return pairs;
 }
 
 void adjust(std::vector<Cell>& cells) {
@@ -130,6 +97,13 @@ void checkFigures(const Plan& plan, const Results& results) {
 
 }  // namespace
 
+std::optional<double> medianOf(std::vector<double> values) {
+  if (values.empty()) return std::nullopt;
+  std::sort(values.begin(), values.end());
+  const std::size_t m = values.size() / 2;
+  return values.size() % 2 == 1 ? values[m] : (values[m - 1] + values[m]) / 2;
+}
+
 std::vector<Cell> cellsOf(const Plan& plan, const Results& results) {
   checkFigures(plan, results);
   std::vector<Values> combinations;  // in the plan's order
@@ -144,9 +118,12 @@ std::vector<Cell> cellsOf(const Plan& plan, const Results& results) {
   for (const Values& values : combinations)
     for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
       const auto& [planned, runs] = groups[{values, arm}];
+      const Runs& first = groups[{values, 0}].second;
       cells.push_back(cellOf(plan, values, arm, planned, runs));
-      if (arm > 0 && !plan.success.figure.empty())
-        cells.back().pairs = pairsOf(plan, groups[{values, 0}].second, runs, arm);
+      cells.back().changes.resize(plan.relative.size());
+      if (arm == 0) continue;
+      cells.back().changes = changesOf(plan, first, runs, arm);
+      if (!plan.success.figure.empty()) cells.back().pairs = pairsOf(plan, first, runs, arm);
     }
   adjust(cells);
   return cells;

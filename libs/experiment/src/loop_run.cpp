@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ariadne/closing/stop_rules.h"
 #include "ariadne/eval/kl_divergence.h"
+#include "ariadne/experiment/neff_fall.h"
 #include "ariadne/models/motion_model.h"
 #include "ariadne/slam/mapper.h"
 #include "judge.h"
@@ -59,27 +61,38 @@ InnerLoop innerOf(const slam::ClosingRecord& record, const TPose2D& start,
   return inner;
 }
 
+/// @param updates up to the recovery
+void addNeff(InnerLoop& inner, const std::vector<NeffStep>& updates,
+             const models::Trajectory& truth) {
+  const auto falls = neffFall(neffChanges(updates, eval::pathPasses(truth)));
+  double* const figures[] = {&inner.ln_neff_new_per_10m, &inner.ln_neff_once_per_10m,
+                             &inner.ln_neff_twice_per_10m, &inner.ln_neff_more_per_10m};
+  for (std::size_t i = 0; i < falls.size(); ++i)
+    if (falls[i].way_m > 0) *figures[i] = 10 * falls[i].ln_change / falls[i].way_m;
+}
+
 /// The inner loop is the first one that was recovered.
 std::optional<InnerLoop> innerOf(const slam::Mapper& mapper, const models::Trajectory& truth,
-                                 const std::vector<double>& update_times) {
+                                 std::vector<NeffStep> updates) {
   for (const slam::ClosingRecord& record : mapper.closings()) {
     if (!record.recovery) continue;
-    const double time = update_times[record.closing.opportunity.te];
+    const double time = updates[record.closing.opportunity.te].time_s;
     const auto at =
         std::lower_bound(truth.begin(), truth.end(), time,
                          [](const models::StampedPose& p, double t) { return p.time_s < t; });
-    return innerOf(record, mapper.path().front().pose,
-                   models::relativePose(truth.front().pose, at->pose));
+    InnerLoop inner = innerOf(record, mapper.path().front().pose,
+                              models::relativePose(truth.front().pose, at->pose));
+    updates.resize(record.recovery->update + 1);
+    addNeff(inner, updates, truth);
+    return inner;
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-LoopRunResult runLoop(const sim::TruthDrive& drive, const sim::NoiseParams& noise,
-                      const slam::SlamParams& params, const eval::CorrectBounds& bounds,
-                      std::uint64_t seed) {
-  const sim::SimulatedDrive seen = sim::observe(drive, noise, seed);
+LoopRunResult runLoop(const sim::SimulatedDrive& seen, const slam::SlamParams& params,
+                      const eval::CorrectBounds& bounds, std::uint64_t seed) {
   slam::SlamParams seeded = params;
   seeded.filter.seed = seed;
   slam::Mapper mapper(seeded, 1);
@@ -87,15 +100,17 @@ LoopRunResult runLoop(const sim::TruthDrive& drive, const sim::NoiseParams& nois
   mapper.onRecovery([&] {
     if (!standard) standard = mapper.forkWithoutRecovery();
   });
-  std::vector<double> update_times;
+  std::vector<NeffStep> updates;
   for (const models::SensorStep& step : seen.steps) {
     if (standard) standard->process(step);
-    if (mapper.process(step)) update_times.push_back(step.time_s);
+    if (const auto report = mapper.process(step))
+      updates.push_back(
+          {step.time_s, report->neff, report->resampled, static_cast<double>(report->particles)});
   }
   LoopRunResult result;
   result.recovered = judge(mapper, seen.truth, bounds);
   result.standard = standard ? judge(*standard, seen.truth, bounds) : result.recovered;
-  result.inner = innerOf(mapper, seen.truth, update_times);
+  result.inner = innerOf(mapper, seen.truth, std::move(updates));
   for (const slam::ClosingRecord& record : mapper.closings()) {
     ++result.closings;
     result.recoveries += record.recovery ? 1 : 0;

@@ -60,10 +60,9 @@ std::unique_ptr<slam::Mapper> oracleThrough(const Steps& steps, const slam::Slam
 
 }  // namespace
 
-std::optional<OracleResult> runOracle(const sim::TruthDrive& drive, const sim::NoiseParams& noise,
+std::optional<OracleResult> runOracle(const sim::SimulatedDrive& seen,
                                       const slam::SlamParams& params,
                                       const eval::CorrectBounds& bounds, std::uint64_t seed) {
-  const sim::SimulatedDrive seen = sim::observe(drive, noise, seed);
   slam::SlamParams seeded = params;
   seeded.filter.seed = seed;
   const auto loop = driveToTheEnd(seen.steps, seeded);

@@ -66,17 +66,23 @@ const std::vector<Column>& columns() {
 }
 
 const std::vector<Column>& innerColumns() {
-  static const std::vector<Column> all = {ARIADNE_INNER("existed_error_m", existed_error_m),
-                                          ARIADNE_INNER("saved_error_m", saved_error_m),
-                                          ARIADNE_INNER("left_error_m", left_error_m),
-                                          ARIADNE_INNER("survivors", survivors),
-                                          ARIADNE_INNER("distinct_left", distinct_left),
-                                          ARIADNE_INNER("distinct_saved", distinct_saved),
-                                          ARIADNE_INNER("kl_saved_nats", kl_saved_nats),
-                                          ARIADNE_INNER("kl_left_nats", kl_left_nats),
-                                          ARIADNE_INNER("lost_mass", lost_mass),
-                                          ARIADNE_INNER("neff_slope_per_m", neff_slope_per_m),
-                                          ARIADNE_INNER("resamplings", resamplings)};
+  static const std::vector<Column> all = {
+      ARIADNE_INNER("existed_error_m", existed_error_m),
+      ARIADNE_INNER("saved_error_m", saved_error_m),
+      ARIADNE_INNER("left_error_m", left_error_m),
+      ARIADNE_INNER("survivors", survivors),
+      ARIADNE_INNER("distinct_left", distinct_left),
+      ARIADNE_INNER("distinct_saved", distinct_saved),
+      ARIADNE_INNER("kl_saved_nats", kl_saved_nats),
+      ARIADNE_INNER("kl_left_nats", kl_left_nats),
+      ARIADNE_INNER("lost_mass", lost_mass),
+      ARIADNE_INNER("neff_slope_per_m", neff_slope_per_m),
+      ARIADNE_INNER("resamplings", resamplings),
+      ARIADNE_INNER("recovery_s", recovery_s),
+      ARIADNE_INNER("ln_neff_new_per_10m", ln_neff_new_per_10m),
+      ARIADNE_INNER("ln_neff_once_per_10m", ln_neff_once_per_10m),
+      ARIADNE_INNER("ln_neff_twice_per_10m", ln_neff_twice_per_10m),
+      ARIADNE_INNER("ln_neff_more_per_10m", ln_neff_more_per_10m)};
   return all;
 }
 #undef ARIADNE_COLUMN
@@ -99,11 +105,18 @@ std::vector<std::string> cellsOf(const std::string& line) {
   return cells;
 }
 
-LoopRow rowOf(const std::string& line, const std::string& place) {
+/// Cells of a header, 0 when it is none. Rows of earlier versions end after `resamplings`.
+std::size_t cellsOfHeader(const std::string& line) {
+  const std::string all = header();
+  const std::string least = all.substr(0, all.find(",recovery_s"));
+  const bool fits = line.size() >= least.size() && (all + ",").rfind(line + ",", 0) == 0;
+  return fits ? cellsOf(line).size() : 0;
+}
+
+LoopRow rowOf(const std::string& line, std::size_t count, const std::string& place) {
   const auto cells = cellsOf(line);
-  if (cells.size() != 3 + columns().size() + innerColumns().size())
-    throw core::Error(fmt::format("{}: {} cells; a row has {}", place, cells.size(),
-                                  3 + columns().size() + innerColumns().size()));
+  if (cells.size() != count)
+    throw core::Error(fmt::format("{}: {} cells; a row has {}", place, cells.size(), count));
   const auto number = [&](std::size_t i) {
     char* end = nullptr;
     const double v = std::strtod(cells[i].c_str(), &end);
@@ -124,32 +137,34 @@ LoopRow rowOf(const std::string& line, const std::string& place) {
   for (const Column& c : columns()) expect(c.set(row.result, number(i)), c.name, i), ++i;
   if (cells[i].empty()) return row;  // nothing was recovered
   row.result.inner.emplace();
-  for (const Column& c : innerColumns()) expect(c.set(row.result, number(i)), c.name, i), ++i;
+  for (const Column& c : innerColumns()) {
+    if (i >= count) break;
+    expect(c.set(row.result, number(i)), c.name, i);
+    ++i;
+  }
   return row;
 }
 
 }  // namespace
 
-std::string toCsv(const std::vector<LoopRow>& rows) {
-  std::string out = header() + "\n";
-  for (const LoopRow& row : rows) {
-    out += fmt::format("{},{},{}", row.name, row.laps, row.seed);
-    for (const Column& c : columns()) out += fmt::format(",{}", c.get(row.result));
-    for (const Column& c : innerColumns())
-      out += row.result.inner ? fmt::format(",{}", c.get(row.result)) : ",";
-    out += "\n";
-  }
-  return out;
+std::string rowsHeader() { return header(); }
+
+std::string toLine(const LoopRow& row) {
+  std::string line = fmt::format("{},{},{}", row.name, row.laps, row.seed);
+  for (const Column& c : columns()) line += fmt::format(",{}", c.get(row.result));
+  for (const Column& c : innerColumns())
+    line += row.result.inner ? fmt::format(",{}", c.get(row.result)) : ",";
+  return line;
 }
 
 std::vector<LoopRow> readRows(const std::filesystem::path& file) {
   std::istringstream in(io::readWhole(file));
   std::string line;
-  if (!std::getline(in, line) || line != header())
-    throw core::Error(file.string() + ":1: is no file of this experiment's rows");
+  const std::size_t count = std::getline(in, line) ? cellsOfHeader(line) : 0;
+  if (count == 0) throw core::Error(file.string() + ":1: is no file of this experiment's rows");
   std::vector<LoopRow> rows;
   for (int number = 2; std::getline(in, line); ++number)
-    rows.push_back(rowOf(line, fmt::format("{}:{}", file.string(), number)));
+    rows.push_back(rowOf(line, count, fmt::format("{}:{}", file.string(), number)));
   return rows;
 }
 

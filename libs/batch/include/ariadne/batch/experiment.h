@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -29,11 +30,13 @@ struct Arm {
   std::string prefix;  ///< before the names of [figures], for a program that tells of several arms
 };
 
+/// What a factor's values do: they are given to `key`, or each is the name of some settings.
 struct Factor {
   std::string name;
   std::string where;
-  std::string key;  ///< section.key that is set, or an option: --laps
+  std::string key;  ///< section.key that is set, or an option: --laps; empty: see `settings`
   std::vector<std::string> values;
+  std::map<std::string, std::vector<Setting>> settings;  ///< by value; one without has none
 };
 
 struct Limits {
@@ -50,7 +53,8 @@ struct Experiment {
   std::vector<Factor> factors;
   std::uint64_t first_seed = 1;
   std::uint64_t last_seed = 10;
-  std::vector<std::string> figures;  ///< of which tables give the median
+  std::vector<std::string> figures;   ///< of which tables give the median
+  std::vector<std::string> relative;  ///< of these, also the change from the first arm
   Success success;
   PlotChoice plots;
   Limits limits;

@@ -35,6 +35,7 @@ struct Plan {
   std::vector<std::string> factors;
   std::vector<PlannedArm> arms;
   std::vector<std::string> figures;
+  std::vector<std::string> relative;  ///< see Experiment
   Success success;
   PlotChoice plots;
   Limits limits;

@@ -30,8 +30,14 @@ struct Cell {
   std::size_t successes = 0;
   std::vector<std::vector<double>> samples;    ///< of Plan::figures, of the runs that have it
   std::vector<std::optional<double>> medians;  ///< of those
-  std::optional<Pairs> pairs;                  ///< not of the first arm
+  /// Of Plan::relative: in per cent of the first arm's figure on the same seed and values; of the
+  /// seeds that have both and where that is not 0. Not of the first arm.
+  std::vector<std::vector<double>> changes;
+  std::optional<Pairs> pairs;  ///< not of the first arm
 };
+
+/// Nothing of no values.
+std::optional<double> medianOf(std::vector<double> values);
 
 /// In the plan's order, so that it does not matter in which order runs were finished.
 /// Throws core::UsageError for a figure that no finished run has, naming the nearest that there is.

@@ -2,6 +2,7 @@
 // with recovery of particle diversity and without. Both arms are one run until the recovery.
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "ariadne/eval/loop_errors.h"
@@ -21,6 +22,9 @@ struct ArmResult {
   double ate_m = 0;               ///< RMSE of s* after alignment
 };
 
+/// Of a figure that a run does not have.
+inline constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
 /// What was lost where, at the recovery of the inner loop: the least error of the pose at te seen
 /// from the start (m) in the set that there was at te, in what was saved at the detection, and in
 /// what was left when the robot left the loop.
@@ -36,7 +40,14 @@ struct InnerLoop {
   double lost_mass = 0;
   double neff_slope_per_m = 0;  ///< of ln Neff within the closing, resamplings apart
   double resamplings = 0;       ///< within the closing
-  double recovery_s = 0;
+  double recovery_s = kNone;    ///< wall clock
+  /// Change of ln Neff per 10 m of way, resamplings taken out, until the recovery: on ground that
+  /// was never driven before, once, twice, more often (eval::PassParams' defaults). NaN where the
+  /// robot was on no such ground.
+  double ln_neff_new_per_10m = kNone;
+  double ln_neff_once_per_10m = kNone;
+  double ln_neff_twice_per_10m = kNone;
+  double ln_neff_more_per_10m = kNone;
 };
 
 struct LoopRunResult {
@@ -47,10 +58,9 @@ struct LoopRunResult {
   std::size_t recoveries = 0;
 };
 
-/// Maps the drive as it is observed with this seed; the filter has the same seed.
+/// Maps the drive as it was observed; `seed` is the filter's.
 /// Same bits for the same arguments.
-LoopRunResult runLoop(const sim::TruthDrive& drive, const sim::NoiseParams& noise,
-                      const slam::SlamParams& params, const eval::CorrectBounds& bounds,
-                      std::uint64_t seed);
+LoopRunResult runLoop(const sim::SimulatedDrive& seen, const slam::SlamParams& params,
+                      const eval::CorrectBounds& bounds, std::uint64_t seed);
 
 }  // namespace ariadne::experiment

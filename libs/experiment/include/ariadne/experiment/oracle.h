@@ -22,7 +22,7 @@ struct OracleResult {
 
 /// The first loop of the drive that is recovered; nothing when there is none. The filter has N
 /// particles, so has each of the N filters.
-std::optional<OracleResult> runOracle(const sim::TruthDrive& drive, const sim::NoiseParams& noise,
+std::optional<OracleResult> runOracle(const sim::SimulatedDrive& seen,
                                       const slam::SlamParams& params,
                                       const eval::CorrectBounds& bounds, std::uint64_t seed);
 

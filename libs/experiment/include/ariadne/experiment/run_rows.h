@@ -16,9 +16,11 @@ struct LoopRow {
   LoopRunResult result;
 };
 
-/// A header and a line a row; numbers read back to the same bits.
-std::string toCsv(const std::vector<LoopRow>& rows);
-/// Throws core::Error naming file and line when it is not such a file.
+/// Lines of the file, without their ends; numbers read back to the same bits.
+std::string rowsHeader();
+std::string toLine(const LoopRow& row);
+/// Also of earlier versions, whose rows lack the last figures: these are NaN. Throws core::Error
+/// naming file and line when it is no such file.
 std::vector<LoopRow> readRows(const std::filesystem::path& file);
 
 }  // namespace ariadne::experiment
