@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Small{"particles", "1001", {"particles=15,60"}},
                       Small{"odometry_noise", "1001", {"noise=0.5,2"}}, Small{"oracle", "1001", {}},
                       Small{"datasets", "1", {}}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& small) { return small.param.name; });
 
 TEST(PaperInis, AllCanBePlannedAndHaveCommittedResults) {
   std::size_t count = 0;
@@ -101,7 +101,9 @@ TEST(PaperInis, AllCanBePlannedAndHaveCommittedResults) {
     const std::string name = entry.path().stem().string();
     const Said said = call({"run", entry.path().string(), "--dry-run"});
     EXPECT_EQ(said.code, isHere(name) ? 0 : 2) << said.err;
-    if (isHere(name)) EXPECT_NE(said.out.find(" 0 finished"), std::string::npos) << said.out;
+    if (isHere(name)) {
+      EXPECT_NE(said.out.find(" 0 finished"), std::string::npos) << said.out;
+    }
     if (name == "small") continue;
     for (const char* file : {"table.txt", "table.csv", "table.md", "table.tex", "runs.csv"})
       EXPECT_TRUE(fs::exists(kResults / name / file)) << file;
