@@ -45,8 +45,9 @@ World readWorld(const std::filesystem::path& path);
 World readWorldPicture(const std::filesystem::path& path, double resolution_m);
 
 /// A place to start where the world names none: the robot's disc, with a hand's breadth around it,
-/// is on free floor, in the largest region that it can drive about in (a map holds pockets that were
-/// seen and never entered). Drawn from the seed. Throws core::Error when there is no such place.
+/// is on free floor, in the largest region that it can drive about in (a map holds pockets that
+/// were seen and never entered). Drawn from the seed. Throws core::Error when there is no such
+/// place.
 mrpt::math::TPose2D drawStart(const World& world, double robot_radius_m, std::uint64_t seed);
 
 }  // namespace ariadne::sim
