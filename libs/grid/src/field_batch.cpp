@@ -49,7 +49,7 @@ void FieldBatch::use(const OccupancyGrid& map, const std::vector<mrpt::math::TPo
   const std::size_t even = (points.size() + 1) / 2 * 2;
   for (auto* v : {&offset_x_, &offset_y_, &in_x_, &in_y_, &value_, &dx_, &dy_}) v->resize(even, 0);
   cells_.assign(even, kNoCell);
-  tiles_.fill({std::numeric_limits<int>::min(), 0, nullptr});
+  ++uses_;
   new_cells_.resize(even);
   corners_.resize(even);
   wanted_.resize(even);
@@ -94,8 +94,12 @@ void FieldBatch::findCorners(const mrpt::math::TPoint2D& at) {
 inline const std::uint8_t* FieldBatch::tileOf(int x, int y) {
   const int tx = x >> kTileBits;
   const int ty = y >> Plane::kRowBits;
-  KnownTile& known = tiles_[static_cast<std::size_t>(tx << 2 ^ ty) % tiles_.size()];
-  if (known.tx != tx || known.ty != ty) known = {tx, ty, lookUp(tx, ty)};
+  const std::uint32_t place = (static_cast<std::uint32_t>(tx) * 0x9E3779B1U ^
+                               static_cast<std::uint32_t>(ty) * 0x85EBCA77U) >>
+                              (32 - kKnownBits);
+  KnownTile& known = tiles_[place];
+  if (known.tx != tx || known.ty != ty || known.use != uses_)
+    known = {tx, ty, uses_, lookUp(tx, ty)};
   return known.cells;
 }
 

@@ -30,9 +30,6 @@ grid::OccupancyGrid mapAtTe(const SavedEntry& entry, const std::vector<grid::Sca
   return map;
 }
 
-// Scans inserted at once are cheaper than in turns; a later recovery then replays a few more.
-constexpr std::size_t kSparser = 2;
-
 filter::Particle attach(const SavedEntry& entry, const grid::OccupancyGrid& map_at_te,
                         const filter::AncestorPtr& leaf, const std::vector<grid::ScanShape>& shapes,
                         std::size_t checkpoint_updates) {
@@ -43,7 +40,7 @@ filter::Particle attach(const SavedEntry& entry, const grid::OccupancyGrid& map_
   std::vector<grid::PlacedScan> scans;  // not inserted yet
   for (const Ancestor* a : nodesAfter(leaf, entry.at_te->step())) {
     scans.push_back({&shapes[a->step()], a->pose()});
-    if (a->step() % (kSparser * checkpoint_updates) != 0) continue;
+    if (a->step() % checkpoint_updates != 0) continue;
     p.map.insertMany(scans);
     scans.clear();
     p.checkpoints =

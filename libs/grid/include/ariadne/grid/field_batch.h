@@ -42,9 +42,10 @@ class FieldBatch {
   const std::uint8_t* lookUp(int tx, int ty) const;
 
   struct KnownTile {
-    int tx;  // the lowest int where nothing is known
-    int ty;
-    const std::uint8_t* cells;
+    int tx = 0;
+    int ty = 0;
+    std::uint64_t use = 0;  // in which it was looked up
+    const std::uint8_t* cells = nullptr;
   };
   struct Wanted {
     const std::uint8_t* low;   // of row y
@@ -60,8 +61,10 @@ class FieldBatch {
   std::vector<double> in_x_, in_y_;              // within the cell, 0..1
   std::vector<std::uint32_t> corners_;           // four bytes: (0, 0), (1, 0), (0, 1), (1, 1)
   std::vector<Wanted> wanted_;
-  std::array<KnownTile, 128> tiles_;  // the last ones, each in a place of its own
-  bool headed_ = false;               // the heading is finite
+  static constexpr int kKnownBits = 9;
+  std::array<KnownTile, 1 << kKnownBits> tiles_;  // the last ones, each in a place of its own
+  std::uint64_t uses_ = 0;
+  bool headed_ = false;  // the heading is finite
   std::vector<double> value_, dx_, dy_;
 };
 

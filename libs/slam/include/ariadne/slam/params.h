@@ -13,7 +13,7 @@ namespace ariadne::slam {
 struct UpdateParams {
   double update_distance_m = 0.3;
   double update_angle_deg = 15;
-  int checkpoint_updates = 50;
+  int checkpoint_updates = 100;
 };
 
 template <class V>
