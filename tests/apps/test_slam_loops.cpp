@@ -154,7 +154,8 @@ TEST_F(SlamLoops, WithoutRecoveryClosingsAreStillTold) {
 }
 
 TEST_F(SlamLoops, ASavedSetOverTheBudgetIsDroppedAndSaid) {
-  ASSERT_EQ(drive({"recovery.memory_budget_mb=1", "grid.resolution_m=0.02", "filter.particles=16"}),
+  ASSERT_EQ(drive({"recovery.memory_budget_mb=1", "grid.resolution_m=0.02", "filter.particles=16",
+                   "update.checkpoint_updates=20"}),
             0)
       << err;
   const json loops = json::parse(written("loops.json"));
