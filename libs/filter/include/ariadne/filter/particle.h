@@ -19,7 +19,7 @@ struct Checkpoint {
 /// Copying one shares everything.
 struct Particle {
   mrpt::math::TPose2D map_from_robot;
-  grid::OccupancyGrid map;
+  grid::OccupancyGrid map = grid::OccupancyGrid();  // explicit: clang takes no {} for it
   AncestorPtr ancestor;
   std::shared_ptr<const Checkpoint> checkpoints;  ///< latest first
 
