@@ -102,6 +102,22 @@ TEST(ParticleSet, EveryProposalFollowsTheRobot) {
   }
 }
 
+// A circle of 25 steps: the first lap is new ground, then come the passes.
+TEST(ParticleSet, NewGroundWeighsLessAndTheRthRevisitOneOverRSquared) {
+  auto models = modelsWith(filter::Proposal::improved);
+  models.filter.new_ground_weight = 0.1;
+  models.filter.revisit_radius_m = 0.4;
+  Drive drive(models);
+  std::vector<double> evidence;
+  for (int i = 0; i < 70; ++i) {
+    drive.step();
+    evidence.push_back(drive.set.figures().evidence);
+  }
+  EXPECT_EQ(evidence[12], 0.1);
+  EXPECT_EQ(evidence[37], 1);
+  EXPECT_EQ(evidence[62], 0.25);
+}
+
 TEST(ParticleSet, ResamplingKeepsLinesMapsAndAccumulatedWeights) {
   Drive drive(modelsWith(filter::Proposal::improved));
   for (int i = 0; i < 3; ++i) drive.step();

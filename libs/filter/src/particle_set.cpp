@@ -82,9 +82,10 @@ void ParticleSet::prediction_and_update_pfOptimalProposal(
 
 double ParticleSet::evidenceOfPlace() const {
   const FilterParams& p = models_.filter;
-  if (p.revisit_exponent == 0) return 1;
+  if (p.revisit_exponent == 0 && p.new_ground_weight == 1) return 1;
   const std::size_t passes = earlierPasses((*this)[best()].ancestor, p.revisit_radius_m);
-  return std::pow(static_cast<double>(std::max<std::size_t>(passes, 1)), -p.revisit_exponent);
+  if (passes == 0) return p.new_ground_weight;
+  return std::pow(static_cast<double>(passes), -p.revisit_exponent);
 }
 
 void ParticleSet::predictMatchWeigh(const mrpt::obs::CActionCollection* action,

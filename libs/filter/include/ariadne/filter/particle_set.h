@@ -62,7 +62,7 @@ class ParticleSet
   struct Figures {
     std::size_t matches_accepted = 0;
     double log_likelihood = 0;  ///< mean by weight, untempered
-    double evidence = 1;        ///< factor on this step's log weights for revisits
+    double evidence = 1;        ///< factor on this step's log weights: new ground, revisits
     bool resampled = false;
   };
   const Figures& figures() const { return figures_; }
