@@ -87,6 +87,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Small{"neff", "1001", {"world=nested"}}, Small{"three_loops", "2001", {}},
                       Small{"path_overhead", "2001", {"world=eight,small"}},
                       Small{"against_uncertainty", "2001", {"world=nested"}},
+                      Small{"strategies", "2001", {"world=office"}},
+                      Small{"new_ground", "2001", {"world=nested2", "strategy=frontier"}},
                       Small{"recovery_cost", "1001", {}}, Small{"laps", "1001", {"laps=0,3"}},
                       Small{"particles", "1001", {"particles=15,60"}},
                       Small{"odometry_noise", "1001", {"noise=0.5,2"}}, Small{"oracle", "1001", {}},
@@ -108,7 +110,7 @@ TEST(PaperInis, AllCanBePlannedAndHaveCommittedResults) {
     for (const char* file : {"table.txt", "table.csv", "table.md", "table.tex", "runs.csv"})
       EXPECT_TRUE(fs::exists(kResults / name / file)) << file;
   }
-  EXPECT_EQ(count, 14U);
+  EXPECT_EQ(count, 16U);
 }
 
 TEST(PaperInis, AMissingLogFailsThePlanAndIsNamed) {
