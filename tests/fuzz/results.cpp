@@ -9,6 +9,7 @@
 #include "ariadne/core/error.h"
 #include "ariadne/experiment/loop_table.h"
 #include "ariadne/experiment/neff_fall.h"
+#include "ariadne/experiment/run_rows.h"
 #include "ariadne/io/whole_file.h"
 #include "parts.h"
 
@@ -66,7 +67,7 @@ void readJoblog(const Path& file) { cluster::readJoblog(file); }
 void readRows(const Path& file) {
   const auto rows = experiment::readRows(file);
   experiment::loopTable(rows);
-  experiment::toCsv(rows);
+  for (const auto& row : rows) experiment::toLine(row);
 }
 
 void readSteps(const Path& file) { experiment::readNeffSteps(file); }
