@@ -88,6 +88,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Small{"path_overhead", "2001", {"world=eight,small"}},
                       Small{"against_uncertainty", "2001", {"world=nested"}},
                       Small{"strategies", "2001", {"world=office"}},
+                      Small{"better_maps", "3001", {"world=small"}},
                       Small{"new_ground", "2001", {"world=nested2", "strategy=frontier"}},
                       Small{"recovery_cost", "1001", {}}, Small{"laps", "1001", {"laps=0,3"}},
                       Small{"particles", "1001", {"particles=15,60"}},
@@ -110,7 +111,7 @@ TEST(PaperInis, AllCanBePlannedAndHaveCommittedResults) {
     for (const char* file : {"table.txt", "table.csv", "table.md", "table.tex", "runs.csv"})
       EXPECT_TRUE(fs::exists(kResults / name / file)) << file;
   }
-  EXPECT_EQ(count, 16U);
+  EXPECT_EQ(count, 17U);
 }
 
 TEST(PaperInis, AMissingLogFailsThePlanAndIsNamed) {
