@@ -44,8 +44,8 @@ std::string encodePng(const Picture& picture) {
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   // 9 takes twenty times as long as 5 for a tenth less.
   png_set_compression_level(w.png, small ? 5 : 1);
-  // Gray maps are flat: runs alone are quicker to find, and make a smaller file at this level.
-  png_set_compression_strategy(w.png, small || colours ? Z_DEFAULT_STRATEGY : Z_RLE);
+  // Maps are flat: runs alone are quicker to find, and make a smaller file at this level.
+  png_set_compression_strategy(w.png, small ? Z_DEFAULT_STRATEGY : Z_RLE);
   png_set_filter(w.png, 0, PNG_FILTER_NONE);
   png_write_info(w.png, w.info);
   if (colours) {
