@@ -83,7 +83,7 @@ static void BM_Recovery(benchmark::State& state) {
   for (auto _ : state) {
     auto out =
         recovery::recover(loop.saved, loop.set, loop.graphs,
-                          {loop.drive.shapes, 20, 1, loop.parallel}, recovery::Draw::independent);
+                          {loop.drive.shapes, 100, 1, loop.parallel}, recovery::Draw::independent);
     benchmark::DoNotOptimize(out);
   }
 }
