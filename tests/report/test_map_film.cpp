@@ -77,6 +77,23 @@ TEST(MapFilm, ALargeMapGetsLargerPixelsOnTheWay) {
   expectSame(replay, run.best().map, 4);
 }
 
+// Of kilometres: a pixel is wider than a tile of the map.
+TEST(MapFilm, PixelsMayBeOfManyTiles) {
+  constexpr int kLevel = 7;
+  grid::OccupancyGrid map;
+  for (int i = 0; i < 300; ++i)
+    map.set({i * i * 17 % 9000 - 4500, i * 7919 % 9000 - 4500},
+            static_cast<std::int8_t>(i % 4 == 0 ? -60 : 40));
+  TileStore store;
+  MapFilm film;
+  film.restart(kLevel);
+  const auto placed = film.take(map, store);
+  for (int y = -40; y < 40; ++y)
+    for (int x = -40; x < 40; ++x)
+      ASSERT_EQ(pixelAt(placed, store.tiles(), x, y), expectedAt(map, x, y, 1 << kLevel))
+          << x << ", " << y;
+}
+
 TEST(MapFilm, EarlyKeyframesAreHalvedAsIfDrawnSo) {
   test::MadeUpRun run(1, 5);
   ReplayRecorder fine;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace ariadne::grid {
 namespace {
@@ -11,6 +12,9 @@ namespace {
 constexpr int kStraight = 70;
 constexpr int kDiagonal = 99;
 constexpr double kMostReach = 250;  // cells; distances along rows are bytes
+// In place of a length. A blocked cell is less than any, so that no way into it is shorter.
+constexpr std::int32_t kBlocked = -1;
+constexpr std::int32_t kUnreached = std::numeric_limits<std::int32_t>::max();
 
 /// Cells within `reach` cells of one that is not free, as a window.
 class Clearance {
@@ -126,25 +130,27 @@ FreeDistance::FreeDistance(const OccupancyGrid& map, const mrpt::math::TPoint2D&
   height_ = high.y - low.y + 2 * margin + 1;
   const Cell start = map.cellOf(from);
   openCells(start);
-  units_.assign(open_.size(), -1);
   search(index(start));
 }
 
+/// Marks the cells that may be entered kUnreached, all others kBlocked.
 void FreeDistance::openCells(Cell start) {
   const double reach = robot_radius_m_ / resolution_;
   const Clearance clearance(map_, corner_, width_, height_, std::min(reach, kMostReach));
-  open_.resize(clearance.blocked().size());
-  for (std::size_t i = 0; i < open_.size(); ++i) open_[i] = !clearance.blocked()[i];
+  units_.resize(clearance.blocked().size());
+  for (std::size_t i = 0; i < units_.size(); ++i)
+    units_[i] = clearance.blocked()[i] != 0 ? kBlocked : kUnreached;
   const int r = static_cast<int>(reach);
   for (int dy = -r; dy <= r; ++dy)
     for (int dx = -r; dx <= r; ++dx) {
       const Cell c{start.x + dx, start.y + dy};
       const int i = index(c);
-      if (i >= 0 && std::hypot(dx, dy) <= reach) open_[i] = map_.at(c) > 0;
+      if (i >= 0 && std::hypot(dx, dy) <= reach) units_[i] = map_.at(c) > 0 ? kUnreached : kBlocked;
     }
-  std::fill_n(open_.begin(), width_, 0);
-  std::fill_n(open_.end() - width_, width_, 0);
-  for (int y = 0; y < height_; ++y) open_[y * width_] = open_[y * width_ + width_ - 1] = 0;
+  std::fill_n(units_.begin(), width_, kBlocked);
+  std::fill_n(units_.end() - width_, width_, kBlocked);
+  for (int y = 0; y < height_; ++y)
+    units_[y * width_] = units_[y * width_ + width_ - 1] = kBlocked;
 }
 
 // Dijkstra with a ring of buckets (Dial, 1969): all steps are shorter than the ring.
@@ -170,8 +176,7 @@ void FreeDistance::search(int start) {
       for (const auto& [offset, cost] : steps) {
         const int next = cell + offset;
         const std::int32_t reached = length + cost;
-        if (!open_[next] || reached > limit_units_) continue;
-        if (units_[next] >= 0 && units_[next] <= reached) continue;
+        if (units_[next] <= reached || reached > limit_units_) continue;
         units_[next] = reached;
         ring[reached % ring.size()].emplace_back(reached, next);
         ++waiting;
@@ -179,6 +184,10 @@ void FreeDistance::search(int start) {
     }
     bucket.clear();
   }
+}
+
+bool FreeDistance::isReached(int i) const {
+  return i >= 0 && units_[i] != kBlocked && units_[i] != kUnreached;
 }
 
 int FreeDistance::index(Cell c) const {
@@ -189,7 +198,7 @@ int FreeDistance::index(Cell c) const {
 
 std::optional<double> FreeDistance::to(const mrpt::math::TPoint2D& to) const {
   const int i = index(map_.cellOf(to));
-  if (i < 0 || units_[i] < 0) return std::nullopt;
+  if (!isReached(i)) return std::nullopt;
   return units_[i] * resolution_ / kStraight;
 }
 
@@ -201,7 +210,7 @@ std::optional<double> FreeDistance::toPlace(const mrpt::math::TPoint2D& to) cons
     for (int dx = -reach; dx <= reach; ++dx) {
       const double rest = std::hypot(dx, dy);
       const int i = index({centre.x + dx, centre.y + dy});
-      if (rest > reach || i < 0 || units_[i] < 0) continue;
+      if (rest > reach || !isReached(i)) continue;
       const double length = (static_cast<double>(units_[i]) / kStraight + rest) * resolution_;
       if (!best || length < *best) best = length;
     }

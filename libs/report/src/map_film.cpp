@@ -1,6 +1,7 @@
 #include "map_film.h"
 
 #include <algorithm>
+#include <array>
 
 namespace ariadne::report {
 namespace {
@@ -10,29 +11,67 @@ static_assert(kTileCells == kReplayTile);
 
 using Tile = grid::EvidenceTile;
 
-/// Bit i * n becomes whether any of bits i * n to i * n + n - 1 is set; n is a power of 2.
-std::uint32_t folded(std::uint32_t bits, int n) {
-  for (int shift = 1; shift < n; shift *= 2) bits |= bits >> shift;
-  return bits;
+/// Bit i becomes whether bit 2 i or 2 i + 1 is set.
+std::uint32_t halved(std::uint32_t bits) {
+  bits = (bits | bits >> 1) & 0x55555555U;
+  bits = (bits | bits >> 1) & 0x33333333U;
+  bits = (bits | bits >> 2) & 0x0F0F0F0FU;
+  bits = (bits | bits >> 4) & 0x00FF00FFU;
+  return (bits | bits >> 8) & 0x0000FFFFU;
 }
 
-/// Tile (i, j) of the n x n that one is drawn of: its block of pixels, made anew.
-void drawBlock(TilePixels& pixels, const Tile* tile, int i, int j, int n) {
-  static_assert(static_cast<int>(MapPixel::free) == 1 && static_cast<int>(MapPixel::occupied) == 2);
-  const int side = kReplayTile / n;
-  std::uint8_t* block = &pixels[j * side * kReplayTile + i * side];
-  for (int y = 0; y < side; ++y, block += kReplayTile) {
+/// A drawn tile as bits: bit x of word y for pixel (x, y).
+struct Bits {
+  std::array<std::uint32_t, kReplayTile> free{};
+  std::array<std::uint32_t, kReplayTile> occupied{};
+};
+
+/// Adds tile (i, j) of the 2^level x 2^level that one is drawn of.
+void add(Bits& bits, const Tile& tile, int i, int j, int level) {
+  const int halvings = std::min(level, grid::kTileBits);
+  const int rows = 1 << halvings;  // of cells in one of pixels
+  const int left = i * kTileCells >> level;
+  for (int y = 0; y < kTileCells; y += rows) {
     std::uint32_t free = 0;
     std::uint32_t occupied = 0;
-    for (int k = 0; tile && k < n; ++k) {
-      free |= tile->freeRow(y * n + k);
-      occupied |= tile->occupiedRow(y * n + k);
+    for (int k = 0; k < rows; ++k) {
+      free |= tile.freeRow(y + k);
+      occupied |= tile.occupiedRow(y + k);
     }
-    free = folded(free, n);
-    occupied = folded(occupied, n);
-    for (int x = 0; x < side; ++x)
-      block[x] = (occupied >> x * n & 1U) != 0 ? 2 : static_cast<std::uint8_t>(free >> x * n & 1U);
+    for (int k = 0; k < halvings; ++k) {
+      free = halved(free);
+      occupied = halved(occupied);
+    }
+    const int row = (j * kTileCells + y) >> level;
+    bits.free[row] |= free << left;
+    bits.occupied[row] |= occupied << left;
   }
+}
+
+/// A byte's four pixels by the bits of what is free (lower half) and occupied.
+const std::array<std::uint8_t, 256>& fourPixels() {
+  static const auto table = [] {
+    std::array<std::uint8_t, 256> t{};
+    for (int b = 0; b < 256; ++b)
+      for (int i = 0; i < 4; ++i) {
+        const MapPixel pixel = (b >> (4 + i) & 1) != 0 ? MapPixel::occupied
+                               : (b >> i & 1) != 0     ? MapPixel::free
+                                                       : MapPixel::unknown;
+        t[b] |= static_cast<std::uint8_t>(static_cast<int>(pixel) << (6 - 2 * i));
+      }
+    return t;
+  }();
+  return table;
+}
+
+ReplayTile packed(const Bits& bits) {
+  const auto& pixels = fourPixels();
+  ReplayTile tile;
+  std::uint8_t* byte = tile.data();
+  for (int y = 0; y < kReplayTile; ++y)
+    for (int x = 0; x < kReplayTile; x += 4)
+      *byte++ = pixels[(bits.free[y] >> x & 15U) | (bits.occupied[y] >> x & 15U) << 4];
+  return tile;
 }
 
 }  // namespace
@@ -44,18 +83,18 @@ std::uint32_t MapFilm::numberBefore(int x, int y) const {
 
 std::uint32_t MapFilm::draw(const grid::OccupancyGrid& map, int x, int y, TileStore& store) const {
   const int n = 1 << level_;
-  const std::uint32_t number = numberBefore(x, y);
-  TilePixels pixels{};
+  const auto shown = [&](const grid::OccupancyGrid& of, int i, int j) {
+    return of.cells().tile(x * n + i, y * n + j);
+  };
   bool changed = false;
   for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i) {
-      const Tile* tile = map.cells().tile(x * n + i, y * n + j);
-      if (tile == before_.cells().tile(x * n + i, y * n + j)) continue;
-      if (!changed && n > 1) pixels = unpack(store.tiles()[number]);
-      changed = true;
-      drawBlock(pixels, tile, i, j, n);
-    }
-  return changed ? store.add(pack(pixels)) : number;
+    for (int i = 0; i < n; ++i) changed |= shown(map, i, j) != shown(before_, i, j);
+  if (!changed) return numberBefore(x, y);
+  Bits bits;
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i)
+      if (const Tile* tile = shown(map, i, j)) add(bits, *tile, i, j, level_);
+  return store.add(packed(bits));
 }
 
 std::vector<PlacedTile> MapFilm::take(const grid::OccupancyGrid& map, TileStore& store) {

@@ -30,6 +30,8 @@ class FreeDistance {
 
  private:
   int index(Cell c) const;
+  /// Whether there is a way to the cell with this index, which may be -1.
+  bool isReached(int i) const;
   void openCells(Cell start);
   void search(int start);
 
@@ -39,8 +41,7 @@ class FreeDistance {
   Cell corner_;
   int width_;
   int height_;
-  std::vector<std::uint8_t> open_;   // cells that may be entered
-  std::vector<std::int32_t> units_;  // path lengths, in 1/kUnits of a cell; -1 unknown
+  std::vector<std::int32_t> units_;  // path lengths, in 1/70 of a cell, or a word for there is none
   std::int32_t limit_units_;
 };
 
