@@ -128,29 +128,29 @@ TEST(MapFilm, AnotherBestParticleShowsItsOwnMap) {
 }
 
 TEST(TileAtlas, PngsHoldTheTiles) {
-  std::vector<ReplayTile> tiles(kTilesPerColumn + 2);
+  std::vector<ReplayTile> tiles(kTilesPerPicture + 2);
   tiles.back() = pack([] {
     TilePixels pixels{};
     pixels[0] = 1;
     pixels[33] = 2;
     return pixels;
   }());
-  const auto columns = tileColumns(tiles);
-  ASSERT_EQ(columns.size(), 2U);
+  const auto pictures = tilePictures(tiles);
+  ASSERT_EQ(pictures.size(), 2U);
   const std::string head = "data:image/png;base64,";
-  ASSERT_EQ(columns[1].rfind(head, 0), 0U);
+  ASSERT_EQ(pictures[1].rfind(head, 0), 0U);
   // Decoded by other hands: those of coreutils and of MRPT.
   const std::string file =
       (std::filesystem::temp_directory_path() / ("ariadne-atlas-" + std::to_string(::getpid())))
           .string();
-  io::writeWhole(file + ".txt", columns[1].substr(head.size()));
+  io::writeWhole(file + ".txt", pictures[1].substr(head.size()));
   ASSERT_EQ(std::system(("base64 -d " + file + ".txt > " + file + ".png").c_str()), 0);
   const auto image = mrpt::img::CImage::LoadFromFile(file + ".png");
-  ASSERT_EQ(image.getWidth(), 32U);
-  ASSERT_EQ(image.getHeight(), 64U);
-  EXPECT_EQ(*image(0, 32), 85);
-  EXPECT_EQ(*image(1, 33), 170);
-  EXPECT_EQ(*image(2, 33), 0);
+  ASSERT_EQ(image.getWidth(), 1024U);
+  ASSERT_EQ(image.getHeight(), 2U);
+  EXPECT_EQ(*image(0, 1), 85);
+  EXPECT_EQ(*image(33, 1), 170);
+  EXPECT_EQ(*image(34, 1), 0);
   std::filesystem::remove(file + ".txt");
   std::filesystem::remove(file + ".png");
 }

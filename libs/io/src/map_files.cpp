@@ -50,7 +50,8 @@ struct Deflater {
   z_stream stream{};
   Deflater() {
     constexpr int kGzip = 16;
-    if (deflateInit2(&stream, 1, Z_DEFLATED, MAX_WBITS + kGzip, 8, Z_RLE) != Z_OK)
+    constexpr int kMemLevel = 6;  // runs need no hash table, but zlib moves it along: a smaller one
+    if (deflateInit2(&stream, 1, Z_DEFLATED, MAX_WBITS + kGzip, kMemLevel, Z_RLE) != Z_OK)
       throw core::Error("cannot compress: out of memory");
   }
   ~Deflater() { deflateEnd(&stream); }

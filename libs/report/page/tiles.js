@@ -1,20 +1,20 @@
 // The map as a picture of its own, in which only the tiles that change are drawn again.
 
-/** Reads the columns of tiles: a byte a pixel, 0 unknown, 1 free, 2 occupied. */
+/** Reads the pictures of tiles, a tile a row: a byte a pixel, 0 unknown, 1 free, 2 occupied. */
 async function readTiles(map) {
   const area = map.tile * map.tile;
   const pixels = new Uint8Array(map.tiles * area);
   const canvas = element("canvas");
   const context = canvas.getContext("2d", { willReadFrequently: true });
-  for (let c = 0; c < map.columns.length; ++c) {
+  for (let p = 0; p < map.pictures.length; ++p) {
     const image = new Image();
-    image.src = map.columns[c];
+    image.src = map.pictures[p];
     await image.decode();
     canvas.width = image.width;
     canvas.height = image.height;
     context.drawImage(image, 0, 0);
     const rgba = context.getImageData(0, 0, image.width, image.height).data;
-    const first = c * map.per_column * area;
+    const first = p * map.per_picture * area;
     for (let i = 0; 4 * i < rgba.length; ++i) pixels[first + i] = Math.round(rgba[4 * i] / 85);
   }
   return pixels;

@@ -53,8 +53,8 @@ Json headJson(const Replay& r) {
             {"y_m", r.map_origin.y},
             {"tile", kReplayTile},
             {"tiles", r.tiles.size()},
-            {"per_column", kTilesPerColumn},
-            {"columns", tileColumns(r.tiles)}}}};
+            {"per_picture", kTilesPerPicture},
+            {"pictures", tilePictures(r.tiles)}}}};
 }
 
 /// As text that an HTML parser cannot take for markup.

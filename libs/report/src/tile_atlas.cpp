@@ -20,19 +20,19 @@ std::string base64(const std::string& bytes) {
   return text;
 }
 
-std::vector<std::string> tileColumns(const std::vector<ReplayTile>& tiles) {
-  std::vector<std::string> columns;
-  for (std::size_t first = 0; first < tiles.size(); first += kTilesPerColumn) {
-    const std::size_t n = std::min(kTilesPerColumn, tiles.size() - first);
+std::vector<std::string> tilePictures(const std::vector<ReplayTile>& tiles) {
+  std::vector<std::string> pictures;
+  for (std::size_t first = 0; first < tiles.size(); first += kTilesPerPicture) {
+    const std::size_t n = std::min(kTilesPerPicture, tiles.size() - first);
     io::Picture picture;
-    picture.width = kReplayTile;
-    picture.height = static_cast<std::uint32_t>(n) * kReplayTile;
+    picture.width = kReplayTile * kReplayTile;
+    picture.height = static_cast<std::uint32_t>(n);
     picture.format = io::Picture::Format::two_bit_gray;
-    picture.pixels = tiles[first].data();  // a tile is its rows, a column its tiles
-    picture.stride = kReplayTile / 4;
-    columns.push_back("data:image/png;base64," + base64(io::encodePng(picture)));
+    picture.pixels = tiles[first].data();
+    picture.stride = sizeof(ReplayTile);
+    pictures.push_back("data:image/png;base64," + base64(io::encodePng(picture)));
   }
-  return columns;
+  return pictures;
 }
 
 }  // namespace ariadne::report
