@@ -20,9 +20,11 @@ void EvidencePlane::set(int x, int y, std::int8_t log_odds) {
 /// Cell (x, y) of the tile behind the handle.
 void EvidencePlane::setIn(EvidenceTileRef& handle, int x, int y, std::int8_t log_odds) const {
   const int count = counts_->countOf(log_odds);
-  const int apart_now = handle.get() ? handle.get()->apartCount() : 0;
+  const EvidenceTile* const now = handle.get();
+  const int apart_now = now ? now->apartCount() : 0;
   if (count == FreeCounts::kNone) {
-    handle.write(0, apart_now + 1).setApart(x, y, log_odds);
+    const bool is_apart = now && now->isApart(x, y);
+    handle.write(0, is_apart ? apart_now : apart_now + 1).setApart(x, y, log_odds);
     return;
   }
   int planes = 0;
@@ -50,11 +52,15 @@ void EvidencePlane::addHits(const std::vector<Cell>& cells, std::int8_t occupied
     const int x = cell.x & (kTileCells - 1);
     const int y = cell.y & (kTileCells - 1);
     const EvidenceTile* tile = handle ? handle->get() : nullptr;
-    const int before = tile ? tile->at(x, y, *counts_) : 0;
+    const int place = tile && tile->isApart(x, y) ? tile->apartIndex(x, y) : -1;
+    const int before = place >= 0 ? tile->apartValues()[place] : tile ? tile->at(x, y, *counts_) : 0;
     const int after = std::max(before - occupied, int{kMostOccupied});
     if (before == after) continue;
     if (!own) handle = own = &tiles_.at(tx, ty);
-    setIn(*own, x, y, static_cast<std::int8_t>(after));
+    if (place >= 0 && after < 0)  // most hits are on walls that were seen before
+      own->write(0, tile->apartCount()).apartValues()[place] = static_cast<std::int8_t>(after);
+    else
+      setIn(*own, x, y, static_cast<std::int8_t>(after));
     if (before >= 0 && after < 0) turned.push_back(cell);
   }
 }

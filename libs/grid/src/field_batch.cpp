@@ -18,8 +18,16 @@ std::uint32_t cornersAcrossTiles(const Plane& plane, int x, int y) {
          std::uint32_t{plane.at(x, y + 1)} << 16 | std::uint32_t{plane.at(x + 1, y + 1)} << 24;
 }
 
+/// The bits of a cell that say in which tile of the field it is.
+constexpr std::int64_t kTileOfCell =
+    ~(std::int64_t{kTileCells - 1} << 32 | std::int64_t{Plane::kRows - 1});
 /// No cell's: x is farther than any.
 constexpr std::int64_t kNoCell = std::numeric_limits<std::int64_t>::min();
+
+std::int64_t cellAt(int x, int y) {
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(x) << 32 |
+                                   static_cast<std::uint32_t>(y));
+}
 
 /// Two coordinates in cells: which cells, in the low halves, and where in them.
 struct TwoPlaces {
@@ -49,7 +57,7 @@ void FieldBatch::use(const OccupancyGrid& map, const std::vector<mrpt::math::TPo
   const std::size_t even = (points.size() + 1) / 2 * 2;
   for (auto* v : {&offset_x_, &offset_y_, &in_x_, &in_y_, &value_, &dx_, &dy_}) v->resize(even, 0);
   cells_.assign(even, kNoCell);
-  ++uses_;
+  tiles_.fill({kNoCell, nullptr});
   new_cells_.resize(even);
   corners_.resize(even);
   wanted_.resize(even);
@@ -80,33 +88,40 @@ void FieldBatch::findCorners(const mrpt::math::TPoint2D& at) {
   const double shift_x = -map_->origin().x * scale - 0.5;
   const double shift_y = -map_->origin().y * scale - 0.5;
   constexpr TwoInts kLowHalf = {0xFFFFFFFF, 0xFFFFFFFF};
-  for (std::size_t i = 0; i < cells_.size(); i += 2) {
-    const TwoPlaces x = split((at.x + twoAt(&offset_x_[i])) * scale + shift_x);
-    const TwoPlaces y = split((at.y + twoAt(&offset_y_[i])) * scale + shift_y);
-    *reinterpret_cast<TwoInts*>(&new_cells_[i]) = x.cell << 32 | (y.cell & kLowHalf);
-    twoAt(&in_x_[i]) = x.within;
-    twoAt(&in_y_[i]) = y.within;
+  const TwoDoubles at_x = {at.x, at.x};
+  const TwoDoubles at_y = {at.y, at.y};
+  // Named here: in the loop every write would have these be looked up again.
+  const double* __restrict offset_x = offset_x_.data();
+  const double* __restrict offset_y = offset_y_.data();
+  std::int64_t* __restrict cells = new_cells_.data();
+  double* __restrict in_x = in_x_.data();
+  double* __restrict in_y = in_y_.data();
+  const std::size_t n = cells_.size();
+  for (std::size_t i = 0; i < n; i += 2) {
+    const TwoPlaces x = split((at_x + twoAt(offset_x + i)) * scale + shift_x);
+    const TwoPlaces y = split((at_y + twoAt(offset_y + i)) * scale + shift_y);
+    *reinterpret_cast<TwoInts*>(cells + i) = x.cell << 32 | (y.cell & kLowHalf);
+    twoAt(in_x + i) = x.within;
+    twoAt(in_y + i) = y.within;
   }
   readCorners();
 }
 
 /// The tile of a cell; one of zeros where there is none.
-inline const std::uint8_t* FieldBatch::tileOf(int x, int y) {
-  const int tx = x >> kTileBits;
-  const int ty = y >> Plane::kRowBits;
-  const std::uint32_t place = (static_cast<std::uint32_t>(tx) * 0x9E3779B1U ^
-                               static_cast<std::uint32_t>(ty) * 0x85EBCA77U) >>
-                              (32 - kKnownBits);
+inline const std::uint8_t* FieldBatch::tileOf(std::int64_t cell) {
+  const std::int64_t tile = cell & kTileOfCell;
+  const std::uint64_t place = static_cast<std::uint64_t>(tile) * 0x9E3779B97F4A7C15U >>
+                              (64 - kKnownBits);
   KnownTile& known = tiles_[place];
-  if (known.tx != tx || known.ty != ty || known.use != uses_)
-    known = {tx, ty, uses_, lookUp(tx, ty)};
+  if (known.tile != tile) known = {tile, lookUp(tile)};
   return known.cells;
 }
 
-const std::uint8_t* FieldBatch::lookUp(int tx, int ty) const {
+const std::uint8_t* FieldBatch::lookUp(std::int64_t tile) const {
   static const Plane::Tile kNothing{};
-  const Plane::Tile* tile = map_->field().tile(tx, ty);
-  return (tile ? tile : &kNothing)->data();
+  const Plane::Tile* found = map_->field().tile(static_cast<int>(tile >> 32) >> kTileBits,
+                                                static_cast<int>(tile) >> Plane::kRowBits);
+  return (found ? found : &kNothing)->data();
 }
 
 /// Other particles have pushed this one's field out of the cache: all that is wanted is named
@@ -130,9 +145,10 @@ void FieldBatch::readCorners() {
       corners[i] = cornersAcrossTiles(map_->field(), x, y);
       continue;
     }
-    const std::uint8_t* low = tileOf(x, y) + Plane::offset(x, y);
-    const std::uint8_t* high =
-        (y & kLastRow) != kLastRow ? low + kTileCells : tileOf(x, y + 1) + Plane::offset(x, y + 1);
+    const std::uint8_t* low = tileOf(cell) + Plane::offset(x, y);
+    const std::uint8_t* high = (y & kLastRow) != kLastRow
+                                   ? low + kTileCells
+                                   : tileOf(cellAt(x, y + 1)) + Plane::offset(x, y + 1);
     __builtin_prefetch(low);
     __builtin_prefetch(high);
     wanted[count++] = {low, high, i};

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "ariadne/grid/rounding.h"
+#include "tile_mask.h"
 
 namespace ariadne::grid {
 namespace {
@@ -40,14 +41,13 @@ void OccupancyGrid::set(Cell c, std::int8_t log_odds) {
 CellBox OccupancyGrid::knownBox() const {
   constexpr int kFar = std::numeric_limits<int>::max();
   CellBox box{kFar, kFar, -kFar, -kFar};
-  cells_.forEachTile([&](int tx, int ty, const EvidencePlane::Cells& tile) {
-    for (int i = 0; i < static_cast<int>(tile.size()); ++i) {
-      if (tile[i] == 0) continue;
-      const int x = tx * kTileCells + i % kTileCells;
-      const int y = ty * kTileCells + i / kTileCells;
-      box = {std::min(box.x0, x), std::min(box.y0, y), std::max(box.x1, x + 1),
-             std::max(box.y1, y + 1)};
-    }
+  cells_.forEachPacked([&](int tx, int ty, const EvidenceTile& tile) {
+    BoxOfBits known;
+    for (int y = 0; y < kTileCells; ++y) known.add(y, tile.freeRow(y) | tile.occupiedRow(y));
+    if (known.empty()) return;
+    const CellBox here = known.inTile(tx, ty);
+    box = {std::min(box.x0, here.x0), std::min(box.y0, here.y0), std::max(box.x1, here.x1),
+           std::max(box.y1, here.y1)};
   });
   return box.x0 == kFar ? CellBox{} : box;
 }

@@ -63,21 +63,20 @@ void ScanRaster::cover() {
   index_.clear();
   used_ = 1;
   if (placed_.empty()) return;
-  Point low = placed_.front();
-  Point high = low;
-  double none_x = 0;  // NaN when a point is not finite
-  double none_y = 0;
+  TwoDoubles least = twoAt(&placed_.front().x);  // x and y
+  TwoDoubles most = least;
+  TwoDoubles none = {0, 0};  // NaN when a point is not finite
   for (const Point& p : placed_) {
-    low.x = std::min(low.x, p.x);
-    low.y = std::min(low.y, p.y);
-    high.x = std::max(high.x, p.x);
-    high.y = std::max(high.y, p.y);
-    none_x += p.x - p.x;
-    none_y += p.y - p.y;
+    const TwoDoubles v = twoAt(&p.x);
+    least = v < least ? v : least;
+    most = v > most ? v : most;
+    none += v - v;
   }
+  const Point low{least[0], least[1]};
+  const Point high{most[0], most[1]};
   constexpr double kTile = kTileCells;
   const double tiles = ((high.x - low.x) / kTile + 2) * ((high.y - low.y) / kTile + 2);
-  if (none_x != 0 || none_y != 0 || !(std::max(-low.x, high.x) < 2 * kFarthestCell) ||
+  if (none[0] != 0 || none[1] != 0 || !(std::max(-low.x, high.x) < 2 * kFarthestCell) ||
       !(std::max(-low.y, high.y) < 2 * kFarthestCell) || tiles > kMostTiles)
     throw core::Error("a scan cannot be inserted: it reaches past all bounds");
   box_ = {(floorToInt(low.x) - 1) >> kTileBits, (floorToInt(low.y) - 1) >> kTileBits,

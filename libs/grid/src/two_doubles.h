@@ -9,6 +9,7 @@ using TwoDoubles = double __attribute__((vector_size(16), aligned(8), may_alias)
 using TwoInts = std::int64_t __attribute__((vector_size(16), aligned(8), may_alias));
 
 inline TwoDoubles& twoAt(double* p) { return *reinterpret_cast<TwoDoubles*>(p); }
+inline const TwoDoubles& twoAt(const double* p) { return *reinterpret_cast<const TwoDoubles*>(p); }
 
 /// The nearest whole numbers, |v| under 2^31, also as ints in the low halves of `ints`.
 inline TwoDoubles rounded(TwoDoubles v, TwoInts& ints) {

@@ -38,14 +38,13 @@ class FieldBatch {
  private:
   void findCorners(const mrpt::math::TPoint2D& at);
   void readCorners();
-  const std::uint8_t* tileOf(int x, int y);
-  const std::uint8_t* lookUp(int tx, int ty) const;
+  const std::uint8_t* tileOf(std::int64_t cell);
+  const std::uint8_t* lookUp(std::int64_t tile) const;
 
+  /// Of none it is a tile that no cell is in.
   struct KnownTile {
-    int tx = 0;
-    int ty = 0;
-    std::uint64_t use = 0;  // in which it was looked up
-    const std::uint8_t* cells = nullptr;
+    std::int64_t tile;  // its first cell, x in the high half, y in the low one
+    const std::uint8_t* cells;
   };
   struct Wanted {
     const std::uint8_t* low;   // of row y
@@ -63,7 +62,6 @@ class FieldBatch {
   std::vector<Wanted> wanted_;
   static constexpr int kKnownBits = 9;
   std::array<KnownTile, 1 << kKnownBits> tiles_;  // the last ones, each in a place of its own
-  std::uint64_t uses_ = 0;
   bool headed_ = false;  // the heading is finite
   std::vector<double> value_, dx_, dy_;
 };
