@@ -53,7 +53,9 @@ void EvidencePlane::addHits(const std::vector<Cell>& cells, std::int8_t occupied
     const int y = cell.y & (kTileCells - 1);
     const EvidenceTile* tile = handle ? handle->get() : nullptr;
     const int place = tile && tile->isApart(x, y) ? tile->apartIndex(x, y) : -1;
-    const int before = place >= 0 ? tile->apartValues()[place] : tile ? tile->at(x, y, *counts_) : 0;
+    const int before = place >= 0 ? tile->apartValues()[place]
+                       : tile     ? tile->at(x, y, *counts_)
+                                  : 0;
     const int after = std::max(before - occupied, int{kMostOccupied});
     if (before == after) continue;
     if (!own) handle = own = &tiles_.at(tx, ty);

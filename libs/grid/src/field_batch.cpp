@@ -13,11 +13,6 @@ using Plane = LikelihoodField::Plane;
 
 std::uint16_t pair(const std::uint8_t* p) { return static_cast<std::uint16_t>(p[0] | p[1] << 8); }
 
-std::uint32_t cornersAcrossTiles(const Plane& plane, int x, int y) {
-  return std::uint32_t{plane.at(x, y)} | std::uint32_t{plane.at(x + 1, y)} << 8 |
-         std::uint32_t{plane.at(x, y + 1)} << 16 | std::uint32_t{plane.at(x + 1, y + 1)} << 24;
-}
-
 /// The bits of a cell that say in which tile of the field it is.
 constexpr std::int64_t kTileOfCell =
     ~(std::int64_t{kTileCells - 1} << 32 | std::int64_t{Plane::kRows - 1});
@@ -110,8 +105,8 @@ void FieldBatch::findCorners(const mrpt::math::TPoint2D& at) {
 /// The tile of a cell; one of zeros where there is none.
 inline const std::uint8_t* FieldBatch::tileOf(std::int64_t cell) {
   const std::int64_t tile = cell & kTileOfCell;
-  const std::uint64_t place = static_cast<std::uint64_t>(tile) * 0x9E3779B97F4A7C15U >>
-                              (64 - kKnownBits);
+  const std::uint64_t place =
+      static_cast<std::uint64_t>(tile) * 0x9E3779B97F4A7C15U >> (64 - kKnownBits);
   KnownTile& known = tiles_[place];
   if (known.tile != tile) known = {tile, lookUp(tile)};
   return known.cells;
@@ -122,6 +117,13 @@ const std::uint8_t* FieldBatch::lookUp(std::int64_t tile) const {
   const Plane::Tile* found = map_->field().tile(static_cast<int>(tile >> 32) >> kTileBits,
                                                 static_cast<int>(tile) >> Plane::kRowBits);
   return (found ? found : &kNothing)->data();
+}
+
+std::uint32_t FieldBatch::cornersAcrossTiles(int x, int y) {
+  const auto byte = [&](int cx, int cy) {
+    return std::uint32_t{tileOf(cellAt(cx, cy))[Plane::offset(cx, cy)]};
+  };
+  return byte(x, y) | byte(x + 1, y) << 8 | byte(x, y + 1) << 16 | byte(x + 1, y + 1) << 24;
 }
 
 /// Other particles have pushed this one's field out of the cache: all that is wanted is named
@@ -142,7 +144,7 @@ void FieldBatch::readCorners() {
     const int x = static_cast<int>(cell >> 32);
     const int y = static_cast<int>(cell);
     if ((x & kLastColumn) == kLastColumn) {
-      corners[i] = cornersAcrossTiles(map_->field(), x, y);
+      corners[i] = cornersAcrossTiles(x, y);
       continue;
     }
     const std::uint8_t* low = tileOf(cell) + Plane::offset(x, y);

@@ -149,8 +149,7 @@ void FreeDistance::openCells(Cell start) {
     }
   std::fill_n(units_.begin(), width_, kBlocked);
   std::fill_n(units_.end() - width_, width_, kBlocked);
-  for (int y = 0; y < height_; ++y)
-    units_[y * width_] = units_[y * width_ + width_ - 1] = kBlocked;
+  for (int y = 0; y < height_; ++y) units_[y * width_] = units_[y * width_ + width_ - 1] = kBlocked;
 }
 
 // Dijkstra with a ring of buckets (Dial, 1969): all steps are shorter than the ring.

@@ -38,6 +38,7 @@ class FieldBatch {
  private:
   void findCorners(const mrpt::math::TPoint2D& at);
   void readCorners();
+  std::uint32_t cornersAcrossTiles(int x, int y);
   const std::uint8_t* tileOf(std::int64_t cell);
   const std::uint8_t* lookUp(std::int64_t tile) const;
 
@@ -62,7 +63,7 @@ class FieldBatch {
   std::vector<Wanted> wanted_;
   static constexpr int kKnownBits = 9;
   std::array<KnownTile, 1 << kKnownBits> tiles_;  // the last ones, each in a place of its own
-  bool headed_ = false;  // the heading is finite
+  bool headed_ = false;                           // the heading is finite
   std::vector<double> value_, dx_, dy_;
 };
 
