@@ -42,7 +42,7 @@ class FieldBatch {
   const std::uint8_t* tileOf(std::int64_t cell);
   const std::uint8_t* lookUp(std::int64_t tile) const;
 
-  /// Of none it is a tile that no cell is in.
+  /// A place that holds none has a tile that no cell is in.
   struct KnownTile {
     std::int64_t tile;  // its first cell, x in the high half, y in the low one
     const std::uint8_t* cells;

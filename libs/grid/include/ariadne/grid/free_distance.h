@@ -41,7 +41,7 @@ class FreeDistance {
   Cell corner_;
   int width_;
   int height_;
-  std::vector<std::int32_t> units_;  // path lengths, in 1/70 of a cell, or a word for there is none
+  std::vector<std::int32_t> units_;  // path lengths, 1/70 of a cell, or why there is none
   std::int32_t limit_units_;
 };
 
