@@ -52,17 +52,11 @@ void EvidencePlane::addHits(const std::vector<Cell>& cells, std::int8_t occupied
     const int x = cell.x & (kTileCells - 1);
     const int y = cell.y & (kTileCells - 1);
     const EvidenceTile* tile = handle ? handle->get() : nullptr;
-    const int place = tile && tile->isApart(x, y) ? tile->apartIndex(x, y) : -1;
-    const int before = place >= 0 ? tile->apartValues()[place]
-                       : tile     ? tile->at(x, y, *counts_)
-                                  : 0;
+    const int before = tile ? tile->at(x, y, *counts_) : 0;
     const int after = std::max(before - occupied, int{kMostOccupied});
     if (before == after) continue;
     if (!own) handle = own = &tiles_.at(tx, ty);
-    if (place >= 0 && after < 0)  // most hits are on walls that were seen before
-      own->write(0, tile->apartCount()).apartValues()[place] = static_cast<std::int8_t>(after);
-    else
-      setIn(*own, x, y, static_cast<std::int8_t>(after));
+    setIn(*own, x, y, static_cast<std::int8_t>(after));
     if (before >= 0 && after < 0) turned.push_back(cell);
   }
 }

@@ -1,6 +1,6 @@
 // Tiles as pictures that a browser can read without help: PNGs of two bits a pixel in data URIs. A
 // row of pixels is a whole tile, row by row: libpng and zlib are called for each row, and with rows
-// of a tile that took half of the report's time.
+// of a tile that took a third of the steps of writing the report.
 #pragma once
 #include <string>
 #include <vector>

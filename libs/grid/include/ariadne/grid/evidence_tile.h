@@ -41,9 +41,6 @@ class alignas(16) EvidenceTile {
     return reinterpret_cast<const std::uint16_t*>(plane(planes_ + 1));
   }
 
-  /// Place in apartValues() of a cell apart.
-  int apartIndex(int x, int y) const;
-
   std::int8_t at(int x, int y, const FreeCounts& counts) const;
   /// Bit x: cell (x, y) is free (over 0), is occupied (under 0).
   std::uint32_t freeRow(int y) const {
@@ -75,6 +72,7 @@ class alignas(16) EvidenceTile {
       : capacity_(static_cast<std::uint16_t>(capacity)),
         planes_(static_cast<std::uint8_t>(planes)) {}
   static std::size_t bytesFor(int planes, int capacity);
+  int apartIndex(int x, int y) const;
   struct ApartRow {
     std::uint32_t free = 0;
     std::uint32_t occupied = 0;
