@@ -8,6 +8,7 @@ find_package(CLI11 REQUIRED)
 find_package(PNG REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(Boost 1.74 REQUIRED)  # headers only: Boost.Math
+find_package(yaml-cpp REQUIRED)
 find_package(mrpt-obs REQUIRED)
 find_package(mrpt-maps REQUIRED)
 find_package(mrpt-bayes REQUIRED)

@@ -103,7 +103,7 @@ void writeWhole(const fs::path& path, std::string_view content) {
   });
 }
 
-std::string readWhole(const fs::path& path) {
+std::string readWhole(const fs::path& path, std::size_t most_bytes) {
   Descriptor file(path, O_RDONLY);
   if (file.get() < 0) throw failure("read", path, errno);
   std::string content;
@@ -114,6 +114,9 @@ std::string readWhole(const fs::path& path) {
     if (got < 0) throw failure("read", path, errno);
     if (got == 0) return content;
     content.append(block, static_cast<std::size_t>(got));
+    if (content.size() > most_bytes)
+      throw core::Error(fmt::format("{} holds more than {:.0f} MB, too much for what it is to be",
+                                    path.string(), static_cast<double>(most_bytes) / (1 << 20)));
   }
 }
 

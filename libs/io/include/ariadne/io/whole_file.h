@@ -1,5 +1,7 @@
 // A file appears whole or not at all: written beside its place, checked, then renamed into it.
 #pragma once
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -24,7 +26,8 @@ std::string startOf(const std::string& pid);
 /// on a shared folder processes of two machines or containers may well have the same number.
 std::string writerMark();
 
-/// All of a file. Throws core::Error naming the path.
-std::string readWhole(const std::filesystem::path& path);
+/// All of a file. Throws core::Error naming the path when it cannot be read, or is a folder, or
+/// holds more than `most_bytes`.
+std::string readWhole(const std::filesystem::path& path, std::size_t most_bytes = SIZE_MAX);
 
 }  // namespace ariadne::io
