@@ -43,13 +43,14 @@ class Collector {
     if (!record.time_s) return;
     const double time_s = *record.time_s;
     if (laser.stamps++ == 0) {
-      laser.first_s = laser.last_s = time_s;
+      laser.first_s = time_s;
     } else if (time_s < laser.last_s) {
       ++laser.stamps_backwards;
+      laser.set_back_s += laser.last_s - time_s;
     } else {
       laser.longest_gap_s = std::max(laser.longest_gap_s, time_s - laser.last_s);
-      laser.last_s = time_s;
     }
+    laser.last_s = time_s;
   }
 
  private:
@@ -59,7 +60,7 @@ class Collector {
 void followSteps(DatasetInfo& info, io::StepSource& steps,
                  const std::function<void(double)>& progress) {
   std::optional<models::SensorStep> before;
-  double left = 0, right = 0, bottom = 0, top = 0;
+  double left = 0, right = 0, bottom = 0, top = 0, set_back_s = 0;
   while (auto step = steps.next()) {
     const auto& pose = step->odom_from_robot;
     if (before) {
@@ -67,13 +68,14 @@ void followSteps(DatasetInfo& info, io::StepSource& steps,
       const double length = std::hypot(pose.x - last.x, pose.y - last.y);
       info.path_length_m += length;
       info.longest_step_m = std::max(info.longest_step_m, length);
+      set_back_s += std::max(0.0, before->time_s - step->time_s);
+      info.duration_s = step->time_s - info.begin_s + set_back_s;
       info.turned_deg += std::abs(std::remainder(pose.phi - last.phi, 2 * M_PI)) * kDegrees;
     } else {
       info.begin_s = step->time_s;
       left = right = pose.x;
       bottom = top = pose.y;
     }
-    info.duration_s = step->time_s - info.begin_s;
     left = std::min(left, pose.x);
     right = std::max(right, pose.x);
     bottom = std::min(bottom, pose.y);
@@ -91,7 +93,7 @@ void followSteps(DatasetInfo& info, io::StepSource& steps,
 }  // namespace
 
 double LaserInfo::rate_hz() const {
-  const double span_s = last_s - first_s;
+  const double span_s = last_s - first_s + set_back_s;
   return stamps > 1 && span_s > 0 ? static_cast<double>(stamps - 1) / span_s : 0;
 }
 

@@ -22,7 +22,8 @@ struct LaserInfo {
   bool planar = true;
   std::size_t stamps = 0;
   double first_s = 0, last_s = 0;
-  std::size_t stamps_backwards = 0;
+  std::size_t stamps_backwards = 0;  ///< before the scan's before
+  double set_back_s = 0;             ///< by how much, summed
   double longest_gap_s = 0;
   double rate_hz() const;
 };

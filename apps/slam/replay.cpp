@@ -12,8 +12,8 @@
 namespace ariadne::slam_app {
 namespace {
 
-std::string durationOf(const models::Trajectory& odometry) {
-  const auto s = static_cast<long>(odometry.back().time_s - odometry.front().time_s + 0.5);
+std::string durationText(const models::Trajectory& odometry) {
+  const auto s = static_cast<long>(models::durationOf(odometry) + 0.5);
   if (s >= 3600) return fmt::format("{}:{:02}:{:02} h", s / 3600, s / 60 % 60, s % 60);
   return fmt::format("{}:{:02} min", s / 60, s % 60);
 }
@@ -22,7 +22,7 @@ std::vector<report::ReplayFact> factsOf(const RunResult& r) {
   std::vector<report::ReplayFact> facts = {
       {"Scans", fmt::format("{}", r.record.odometry.size())},
       {"Filter updates", fmt::format("{}", r.record.reports.size())},
-      {"Duration", durationOf(r.record.odometry)},
+      {"Duration", durationText(r.record.odometry)},
       {"Path", fmt::format("{:.1f} m", lengthOf(r.path))},
       {"Particles", fmt::format("{}", r.config.slam.filter.particles)},
       {"Cell", fmt::format("{:g} m", r.config.slam.grid.resolution_m)},

@@ -48,12 +48,11 @@ Json loopFigures(const std::vector<slam::ClosingRecord>& closings) {
 
 Json datasetFigures(const RunResult& r) {
   const models::Trajectory& odometry = r.record.odometry;
-  const double duration_s = odometry.empty() ? 0 : odometry.back().time_s - odometry.front().time_s;
   const io::DatasetCounts& c = r.counts;
   return {{"file", r.config.dataset.file},
           {"laser", r.laser_label},
           {"scans", odometry.size()},
-          {"duration_s", duration_s},
+          {"duration_s", models::durationOf(odometry)},
           {"odometry_length_m", lengthOf(odometry)},
           {"beams", c.beams},
           {"beams_no_return", c.beams_no_return},

@@ -7,7 +7,7 @@
 namespace ariadne::slam_app {
 
 std::optional<TruthFit> fitTruth(const models::Trajectory& path, models::Trajectory truth) {
-  const auto pairs = eval::associate(path, truth, kTruthGap_s);
+  const auto pairs = eval::associate(models::sortedByTime(path), truth, kTruthGap_s);
   if (pairs.empty()) return std::nullopt;
   TruthFit fit;
   const auto truth_from_map = eval::align(pairs);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 
 namespace room_log {
@@ -29,8 +30,14 @@ inline double range(double x, double y, double angle) {
   return best;
 }
 
-/// @param scans a tenth of a circle's metre each; @param blind ranges are all "no return".
-inline std::string text(int scans, bool blind = false) {
+/// What else than a plain drive a log is.
+struct Options {
+  std::function<bool(int)> blind = [](int) { return false; };  ///< all ranges are "no return"
+  std::function<double(int)> stamp = [](int i) { return 1000 + 0.2 * i; };
+};
+
+/// @param scans a tenth of a circle's metre each
+inline std::string text(int scans, const Options& options = {}) {
   std::string out = "# made up\n";
   for (int i = 0; i < scans; ++i) {
     const double a = 0.04 * i;  // about 0.1 m of a circle of 2.5 m
@@ -39,10 +46,11 @@ inline std::string text(int scans, bool blind = false) {
     const double heading = a + M_PI / 2;
     out += "FLASER 181";
     for (int b = 0; b <= 180; ++b)
-      out +=
-          blind ? " 81.91" : fmt::format(" {:.3f}", range(x, y, heading + (b - 90) * M_PI / 180));
+      out += options.blind(i)
+                 ? " 81.91"
+                 : fmt::format(" {:.3f}", range(x, y, heading + (b - 90) * M_PI / 180));
     const std::string pose = fmt::format("{:.4f} {:.4f} {:.5f}", x, y, heading);
-    out += fmt::format(" {0} {0} {1:.2f} host {1:.2f}\n", pose, 1000 + 0.2 * i);
+    out += fmt::format(" {0} {0} {1:.2f} host {1:.2f}\n", pose, options.stamp(i));
   }
   return out;
 }

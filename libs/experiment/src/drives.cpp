@@ -1,5 +1,7 @@
 #include "ariadne/experiment/drives.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "ariadne/core/error.h"
@@ -45,6 +47,10 @@ void Drives::readLog(const LoopConfig& config) {
     log_.truth.push_back({step->time_s, step->odom_from_robot});
     log_.steps.push_back(std::move(*step));
   }
+  if (log_noise_.restamp_s == 0 && source->counts().scan_clock.count > 0)
+    throw core::Error(fmt::format(
+        "{}: its clock was set back, and the experiment finds truth by time: set [log_noise] restamp_s",
+        config.files.log));
 }
 
 sim::SimulatedDrive Drives::observe(std::uint64_t seed) const {

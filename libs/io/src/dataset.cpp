@@ -34,11 +34,15 @@ class Steps : public StepSource {
     if (any && labels_.size() > 1)
       throw failure(fmt::format("several lasers: {}; choose one by its label", listLabels()));
     if (ready_.empty()) throw failure(whyNothing());
+    refuseWhenMostAreLost(ready_.size());
   }
 
   std::optional<models::SensorStep> next() override {
     while (ready_.empty())
-      if (!readRecord()) return std::nullopt;
+      if (!readRecord()) {
+        refuseWhenMostAreLost(counts_.steps);
+        return std::nullopt;
+      }
     models::SensorStep step = std::move(ready_.front());
     ready_.pop_front();
     checkBeams(*step.scan, counts_);
@@ -65,10 +69,12 @@ class Steps : public StepSource {
       ended_ = true;
       gate_.finish();
     }
-    while (auto passed = gate_.pop()) track_.add(std::move(passed->second));
+    while (auto passed = gate_.pop())
+      track_.add(std::move(passed->second.step), passed->second.place);
     if (ended_) track_.finish();
     while (auto step = track_.pop()) ready_.push_back(std::move(*step));
     counts_.scans_backwards = gate_.rejected();
+    counts_.scan_clock = gate_.setBacks();
     counts_.lines_malformed = records_->malformedLines();
     return record.has_value() || !ready_.empty();
   }
@@ -94,8 +100,16 @@ class Steps : public StepSource {
         scan.timestamp = clockOfSeconds(step.time_s);
       }
       step.scan = laser.scan;
-      gate_.push(last_time_s_, std::move(step));
+      gate_.push(last_time_s_, {std::move(step), track_.readings()});
     }
+  }
+
+  void refuseWhenMostAreLost(std::size_t used) const {
+    if (counts_.scans_backwards <= used) return;
+    throw failure(fmt::format(
+        "{} of {} scans have stamps that neither go on nor start over: put the scans in order of "
+        "time, or give them stamps that grow",
+        counts_.scans_backwards, counts_.scans_backwards + used));
   }
 
   std::string listLabels() const {
@@ -129,7 +143,11 @@ class Steps : public StepSource {
   std::optional<std::string> wanted_;
   DatasetCounts counts_;
   OdometryTrack track_;
-  TimeGate<models::SensorStep> gate_;
+  struct Placed {
+    models::SensorStep step;
+    std::size_t place;  // among the odometry readings
+  };
+  TimeGate<Placed> gate_;
   std::map<std::string, std::size_t> labels_;
   std::deque<models::SensorStep> ready_;
   double last_time_s_ = 0;

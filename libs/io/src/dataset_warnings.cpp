@@ -6,6 +6,24 @@
 #include <utility>
 
 namespace ariadne::io {
+namespace {
+
+void tellOfClocks(const DatasetCounts& counts, std::vector<std::string>& lines) {
+  const ClockSetBacks& scans = counts.scan_clock;
+  if (scans.count > 0)
+    lines.push_back(fmt::format(
+        "the clock was set back {} times, first from {:.3f} to {:.3f} s: no scan is lost by that; "
+        "the poses keep the log's stamps",
+        scans.count, scans.from_s, scans.to_s));
+  const ClockSetBacks& odometry = counts.odometry_clock;
+  if (odometry.count != scans.count && odometry.count > 0)
+    lines.push_back(fmt::format(
+        "the odometry's clock was set back {} times, first from {:.3f} to {:.3f} s, not at the "
+        "same places as the scans' clock",
+        odometry.count, odometry.from_s, odometry.to_s));
+}
+
+}  // namespace
 
 std::vector<std::string> datasetWarnings(const DatasetCounts& counts, const RecordSource& records) {
   std::vector<std::string> lines = records.remarks();
@@ -28,6 +46,7 @@ std::vector<std::string> datasetWarnings(const DatasetCounts& counts, const Reco
   }};
   for (const auto& [count, text] : kinds)
     if (count > 0) lines.push_back(fmt::format("{} {}", count, text));
+  tellOfClocks(counts, lines);
   if (!records.damage().empty())
     lines.push_back(fmt::format("{}; what follows is lost", records.damage()));
   return lines;

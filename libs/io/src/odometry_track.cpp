@@ -25,6 +25,8 @@ TPose2D between(const TPose2D& a, const TPose2D& b, double s) {
   return {a.x + s * (b.x - a.x), a.y + s * (b.y - a.y), std::remainder(a.phi + s * turn, 2 * M_PI)};
 }
 
+std::size_t difference(std::size_t a, std::size_t b) { return a > b ? a - b : b - a; }
+
 }  // namespace
 
 bool OdometryTrack::useKind(Kind kind) {
@@ -54,8 +56,8 @@ void OdometryTrack::add(const OdometryReading& reading) {
     ++counts_.odometry_malformed;
     return;
   }
-  const double latest_s = readings_.empty() ? 0 : readings_.back().first;
-  gate_.push(reading.time_s.value_or(latest_s), reading.odom_from_robot);
+  last_read_s_ = reading.time_s.value_or(last_read_s_);
+  gate_.push(last_read_s_, {reading.odom_from_robot, readings_read_++, last_read_s_});
   takeReadings();
 }
 
@@ -76,38 +78,81 @@ void OdometryTrack::finish() {
 }
 
 void OdometryTrack::takeReadings() {
-  while (auto reading = gate_.pop()) readings_.push_back(*reading);
+  while (auto reading = gate_.pop()) readings_.push_back(reading->second);
   counts_.odometry_backwards = gate_.rejected();
-  // One reading at or before the last scan served is enough; without scans, a bounded number.
-  while (readings_.size() > 1 &&
-         ((served_s_ && readings_[1].first <= *served_s_) || readings_.size() > kMostReadings))
-    readings_.pop_front();
+  counts_.odometry_clock = gate_.setBacks();
+  while (readings_.size() > kMostReadings) readings_.pop_front();  // a log without scans
 }
 
-bool OdometryTrack::locate(models::SensorStep& step) {
+std::optional<OdometryTrack::Pair> OdometryTrack::readingsAbout(const Waiting& scan) const {
+  const double time_s = scan.step.time_s;
+  std::optional<Pair> best;
+  std::size_t best_distance = 0;
+  for (std::size_t i = 1; i < readings_.size(); ++i) {
+    const Reading& a = readings_[i - 1];
+    const Reading& b = readings_[i];
+    Pair pair{i - 1, i};
+    if (a.time_s > b.time_s) {  // the clock was set back: the stamp is of just before or just after
+      if (time_s > a.time_s && time_s - a.time_s <= kGap_s)
+        pair.after = pair.before;
+      else if (time_s <= b.time_s && b.time_s - time_s <= kGap_s)
+        pair.before = pair.after;
+      else
+        continue;
+    } else if (time_s <= a.time_s || time_s > b.time_s) {
+      continue;
+    }
+    const std::size_t distance = difference(b.number, scan.place);
+    if (best && distance >= best_distance) continue;
+    best = pair;
+    best_distance = distance;
+  }
+  return best;
+}
+
+std::size_t OdometryTrack::nearestReading(const Waiting& scan) const {
+  const auto nearest = [&](const auto& distance) {
+    return static_cast<std::size_t>(std::min_element(readings_.begin(), readings_.end(),
+                                                     [&](const Reading& a, const Reading& b) {
+                                                       return distance(a) < distance(b);
+                                                     }) -
+                                    readings_.begin());
+  };
+  const auto gap_s = [&](const Reading& r) { return std::abs(r.time_s - scan.step.time_s); };
+  const std::size_t in_time = nearest(gap_s);
+  if (gap_s(readings_[in_time]) <= kGap_s) return in_time;
+  return nearest([&](const Reading& r) { return difference(r.number, scan.place); });
+}
+
+bool OdometryTrack::locate(Waiting& scan) {
   takeReadings();
+  if (readings_.empty()) return false;
+  const double time_s = scan.step.time_s;
   const bool complete = finished_ || waiting_.size() > kMostWaiting;
-  if (readings_.empty() || (readings_.back().first < step.time_s && !complete)) return false;
-  std::size_t after = 0;
-  while (after < readings_.size() && readings_[after].first < step.time_s) ++after;
-  const std::size_t before = after == 0 ? 0 : after - 1;
-  if (after == readings_.size()) after = before;
-  const auto& [time_before, pose_before] = readings_[before];
-  const auto& [time_after, pose_after] = readings_[after];
-  const double span = time_after - time_before;
-  const double share = span > 0 ? std::clamp((step.time_s - time_before) / span, 0.0, 1.0) : 0;
-  step.odom_from_robot = between(pose_before, pose_after, share);
-  const double nearest =
-      std::min(std::abs(step.time_s - time_before), std::abs(time_after - step.time_s));
-  if (nearest > kGap_s) ++counts_.odometry_gaps;
-  served_s_ = step.time_s;
+  // What follows the scan in the file must have been seen: the clock may be set back there.
+  if (!complete && readings_.back().number < scan.place) return false;
+  auto pair = readingsAbout(scan);
+  if (!pair && !complete && readings_.back().time_s < time_s) return false;
+  if (!pair) {
+    const std::size_t nearest = nearestReading(scan);
+    pair = Pair{nearest, nearest};
+  }
+  const Reading& before = readings_[pair->before];
+  const Reading& after = readings_[pair->after];
+  const double span = after.time_s - before.time_s;
+  const double share = span > 0 ? std::clamp((time_s - before.time_s) / span, 0.0, 1.0) : 0;
+  scan.step.odom_from_robot = between(before.odom_from_robot, after.odom_from_robot, share);
+  const double nearest_s =
+      std::min(std::abs(time_s - before.time_s), std::abs(after.time_s - time_s));
+  if (nearest_s > kGap_s) ++counts_.odometry_gaps;
+  readings_.erase(readings_.begin(), readings_.begin() + static_cast<std::ptrdiff_t>(pair->before));
   return true;
 }
 
 std::optional<models::SensorStep> OdometryTrack::pop() {
   if (waiting_.empty() || kind_ == Kind::unknown) return std::nullopt;
   if (kind_ == Kind::readings && !locate(waiting_.front())) return std::nullopt;
-  models::SensorStep step = std::move(waiting_.front());
+  models::SensorStep step = std::move(waiting_.front().step);
   waiting_.pop_front();
   return step;
 }

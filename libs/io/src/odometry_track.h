@@ -12,7 +12,8 @@ namespace ariadne::io {
 
 /// Scans go in, steps come out, in the same order. Increments are added up; readings are
 /// interpolated, so a scan waits for the reading after it. The kind of odometry that is met first
-/// is the one that is used.
+/// is the one that is used. Where a clock was set back a stamp may come twice: the readings about
+/// it that stand nearest to the scan in the file are used.
 class OdometryTrack {
  public:
   explicit OdometryTrack(DatasetCounts& counts) : counts_(counts) {}
@@ -20,8 +21,12 @@ class OdometryTrack {
   void add(const OdometryIncrement& increment);
   void add(const OdometryReading& reading);
   /// A scan and the pose that increments or its own line give it; it waits for a better one where
-  /// readings are used.
-  void add(models::SensorStep step) { waiting_.push_back(std::move(step)); }
+  /// readings are used. @param place readings() when the scan was read
+  void add(models::SensorStep step, std::size_t place) {
+    waiting_.push_back({std::move(step), place});
+  }
+  /// How many readings were read so far.
+  std::size_t readings() const { return readings_read_; }
   /// The pose of a scan that comes now; `line_pose` where its record has one. False: not possible.
   bool poseOfScan(const std::optional<mrpt::math::TPose2D>& line_pose, mrpt::math::TPose2D& pose);
   /// Nothing more will come: waiting scans take the last reading.
@@ -32,18 +37,35 @@ class OdometryTrack {
 
  private:
   enum class Kind { unknown, increments, readings, lines };
+  struct Reading {
+    mrpt::math::TPose2D odom_from_robot;
+    std::size_t number = 0;  ///< from 0
+    double time_s = 0;
+  };
+  struct Waiting {
+    models::SensorStep step;
+    std::size_t place = 0;  ///< readings before it in the file
+  };
+  /// Indices of the readings about a stamp; the same twice where it lies outside of all.
+  struct Pair {
+    std::size_t before = 0;
+    std::size_t after = 0;
+  };
   bool useKind(Kind kind);
   void takeReadings();
-  bool locate(models::SensorStep& step);
+  std::optional<Pair> readingsAbout(const Waiting& scan) const;
+  std::size_t nearestReading(const Waiting& scan) const;
+  bool locate(Waiting& scan);
 
   DatasetCounts& counts_;
   Kind kind_ = Kind::unknown;
   mrpt::math::TPose2D sum_;
   std::optional<std::string> label_;
-  TimeGate<mrpt::math::TPose2D> gate_;
-  std::deque<std::pair<double, mrpt::math::TPose2D>> readings_;
-  std::deque<models::SensorStep> waiting_;
-  std::optional<double> served_s_;  ///< scans to come are not before it
+  std::size_t readings_read_ = 0;
+  double last_read_s_ = 0;
+  TimeGate<Reading> gate_;
+  std::deque<Reading> readings_;  ///< none that scans to come could need is missing
+  std::deque<Waiting> waiting_;
   bool finished_ = false;
 };
 

@@ -70,9 +70,7 @@ models::Trajectory readTum(const std::filesystem::path& path) {
   if (trajectory.empty())
     throw core::Error(
         fmt::format("{}: no pose in it; expected lines 'time x y z qx qy qz qw'", path.string()));
-  std::stable_sort(trajectory.begin(), trajectory.end(),
-                   [](const auto& a, const auto& b) { return a.time_s < b.time_s; });
-  return trajectory;
+  return models::sortedByTime(std::move(trajectory));
 }
 
 void writeTum(const std::filesystem::path& path, const models::Trajectory& trajectory,

@@ -80,7 +80,7 @@ void drawFooter(MapPicture& picture, const models::Trajectory& path) {
   }
   const double x = picture.drawText(
       picture.view().margin, fmt::format("{}, path {:.1f} m", picture.sizeText(), lengthOf(path)));
-  drawLegend(picture, x + 24, path.back().time_s - path.front().time_s);
+  drawLegend(picture, x + 24, models::durationOf(path));
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "steps_json.h"
 
+#include <algorithm>
+
 #include "frame_json.h"
 
 namespace ariadne::report {
@@ -40,7 +42,14 @@ nlohmann::ordered_json stepsJson(const Replay& r) {
   const auto milli = [](double v) { return rounded(1000 * v); };
   const auto same = [](std::size_t v) { return v; };
   const double start_s = r.steps.empty() ? 0 : r.steps.front().time_s;
-  return {{"time_ms", column(r, [&](auto& s) { return milli(s.time_s - start_s); })},
+  double before_s = start_s;
+  double set_back_s = 0;  // the page's time goes on where a log's clock was set back
+  const auto elapsed = [&](auto& s) {
+    set_back_s += std::max(0.0, before_s - s.time_s);
+    before_s = s.time_s;
+    return milli(s.time_s - start_s + set_back_s);
+  };
+  return {{"time_ms", column(r, elapsed)},
           {"distance_cm", column(r, [&](auto& s) { return rounded(100 * s.distance_m); })},
           {"neff_milli", column(r, [&](auto& s) { return milli(s.neff); })},
           {"resampled", column(r, [&](auto& s) { return s.resampled ? 1 : 0; })},

@@ -19,6 +19,13 @@ struct DatasetOptions {
   std::string laser_label;
 };
 
+/// How often a clock was set back or started over, and the stamps about the first time.
+struct ClockSetBacks {
+  std::size_t count = 0;
+  double from_s = 0;
+  double to_s = 0;
+};
+
 /// What was met so far, final after the last step.
 struct DatasetCounts {
   std::size_t steps = 0;  ///< given out, each with a scan
@@ -30,28 +37,32 @@ struct DatasetCounts {
   std::size_t beams_negative = 0;
   std::size_t beams_flagged = 0;  ///< called invalid in the file, range within reach
 
-  std::size_t scans_backwards = 0;     ///< skipped: stamp before the scan's before (or out of line)
-  std::size_t scans_not_planar = 0;    ///< skipped: laser tilted by more than 5 degrees
-  std::size_t scans_malformed = 0;     ///< skipped: fewer than 2 beams, impossible angles or pose
-  std::size_t scans_other_lasers = 0;  ///< skipped: another label
+  std::size_t scans_backwards = 0;      ///< skipped: one stamp out of order, behind or ahead
+  std::size_t scans_not_planar = 0;     ///< skipped: laser tilted by more than 5 degrees
+  std::size_t scans_malformed = 0;      ///< skipped: fewer than 2 beams, impossible angles or pose
+  std::size_t scans_other_lasers = 0;   ///< skipped: another label
   std::size_t scans_without_stamp = 0;  ///< used, with the time of the scan before
   std::size_t odometry_backwards = 0;   ///< readings skipped, as scans_backwards
   std::size_t odometry_malformed = 0;   ///< skipped: not finite or over 100 m in a step
   std::size_t odometry_ignored = 0;     ///< of another kind or label than the first
   std::size_t odometry_gaps = 0;  ///< scans over 1 s away from a reading; the nearest pose is used
   std::size_t lines_malformed = 0;  ///< of a text log, skipped
+  ClockSetBacks scan_clock;         ///< nothing is skipped there
+  ClockSetBacks odometry_clock;     ///< of readings
 };
 
-/// Steps in order of time (equal stamps are fine). Contract for the scans: `maxRange` is positive;
-/// a beam is valid exactly when 0 < range < maxRange; a beam without return is invalid and has
-/// range >= maxRange; any other bad beam (NaN, zero, negative, flagged) is invalid with range 0.
-/// The laser is planar (perhaps upside down): sensorPose says where it is on the robot.
+/// Steps in the file's order with the file's stamps. They go on (equal stamps are fine) except
+/// where the clock was set back, see DatasetCounts::scan_clock. Contract for the scans: `maxRange`
+/// is positive; a beam is valid exactly when 0 < range < maxRange; a beam without return is invalid
+/// and has range >= maxRange; any other bad beam (NaN, zero, negative, flagged) is invalid with
+/// range 0. The laser is planar (perhaps upside down): sensorPose says where it is on the robot.
 /// odom_from_robot is where the odometry has the robot at the scan's time: increments added up
 /// from the origin, or readings interpolated, or, in CARMEN logs, the robot's pose on the line.
 class StepSource {
  public:
   virtual ~StepSource() = default;
-  /// The next step, nullopt at the end of the file or at the damage where it ends early.
+  /// The next step, nullopt at the end of the file or at the damage where it ends early. Throws
+  /// core::Error at the end when most scans had to be skipped for their stamps.
   virtual std::optional<models::SensorStep> next() = 0;
   /// How much of the file was read, 0 to 1.
   virtual double fraction() const = 0;
@@ -64,7 +75,8 @@ class StepSource {
 
 /// Opens a dataset and reads far enough to know that it can be mapped. Throws core::Error naming
 /// the file when it cannot: unreadable, empty, of another kind, without laser, without odometry,
-/// with several lasers and no label (the message lists the labels), damaged before the first step.
+/// with several lasers and no label (the message lists the labels), damaged before the first step,
+/// most of the first scans out of order.
 std::unique_ptr<StepSource> openDataset(const std::filesystem::path& path,
                                         const DatasetOptions& options = {});
 

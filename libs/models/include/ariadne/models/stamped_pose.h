@@ -18,6 +18,12 @@ struct Relation {
   mrpt::math::TPose2D motion;
 };
 
+/// In the order of driving. Stamps grow but where the log's clock was set back.
 using Trajectory = std::vector<StampedPose>;
+
+/// Seconds from the first pose to the last; the moments in which the clock was set back count 0.
+double durationOf(const Trajectory& path);
+/// Poses of the same stamp stay in their order.
+Trajectory sortedByTime(Trajectory path);
 
 }  // namespace ariadne::models
