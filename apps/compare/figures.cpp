@@ -23,7 +23,7 @@ struct Neff {
 
 /// Columns neff, resampled and particles of steps.csv, wherever they are.
 Neff neffOf(const fs::path& steps_csv) {
-  std::istringstream text(io::readWhole(steps_csv));
+  std::istringstream text(io::readText(steps_csv));
   const auto cells = [](const std::string& line) {
     std::vector<std::string> out;
     std::istringstream stream(line);

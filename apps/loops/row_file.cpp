@@ -25,7 +25,7 @@ RowFile::RowFile(std::filesystem::path file, const std::string& header)
     : file_(std::move(file)), text_(header + "\n") {
   std::error_code ignored;
   if (!std::filesystem::exists(file_, ignored)) return;
-  std::istringstream there(io::readWhole(file_));
+  std::istringstream there(io::readText(file_));
   std::string line;
   if (!std::getline(there, line) || line != header)
     throw core::Error(

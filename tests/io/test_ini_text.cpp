@@ -29,9 +29,9 @@ std::string onlyValue(const std::string& line, IniDialect dialect = IniDialect::
 }  // namespace
 
 TEST(IniText, TakesWhatEditorsMake) {
-  const auto document = parseIni(
-      "\xEF\xBB\xBF; first\r\n# second\r\n// third\r\n\r\n  [ grid ] // c\r\n\t a=1 ; x\r\n b = 2",
-      "a.ini", IniDialect::strict);
+  const auto document =
+      parseIni("; first\r\n# second\r\n// third\r\n\r\n  [ grid ] // c\r\n\t a=1 ; x\r\n b = 2",
+               "a.ini", IniDialect::strict);
   ASSERT_EQ(document.entries.size(), 2U);
   EXPECT_EQ(document.sections[0].name, "grid");
   EXPECT_EQ(document.entries[0].key, "a");
@@ -102,10 +102,15 @@ TEST_F(IniFile, WhatIsNoFileOrTooLargeIsAnError) {
   EXPECT_THROW(ariadne::io::readIniText("/dev/zero"), UsageError);
   ariadne::io::writeWhole(folder / "a.ini", std::string_view("[a]\nb=1"));
   EXPECT_EQ(ariadne::io::readIniText(folder / "a.ini"), "[a]\nb=1");
+  const std::string_view utf16("\xFF\xFE[\0a\0]\0\r\0\n\0b\0=\0001\0", 18);
+  for (const std::string_view text : {std::string_view("\xEF\xBB\xBF[a]\r\nb=1"), utf16}) {
+    ariadne::io::writeWhole(folder / "b.ini", text);
+    EXPECT_EQ(ariadne::io::readIniText(folder / "b.ini"), "[a]\nb=1");
+  }
 }
 
 TEST(IniText, MutatedFilesGiveAResultOrAnError) {
-  const std::string base = "\xEF\xBB\xBF[a]\r\nk = \"v\" ; c\nj = 2 // x\n\n[b]\nk=#\n";
+  const std::string base = "[a]\r\nk = \"v\" ; c\nj = 2 // x\n\n[b]\nk=#\n";
   for (std::uint32_t round = 0; round < 5000; ++round) {
     ariadne::core::RandomStream random(3, round, 0, ariadne::core::Purpose::test);
     std::string mutant = base;

@@ -97,7 +97,7 @@ Figures figuresOfStock(const std::string& printed, const std::string& name) {
 Figures figuresOf(const PlannedArm& arm, const std::filesystem::path& out) {
   Figures figures;
   if (arm.program.kind == ProgramKind::loops)
-    figures = figuresOfRow(io::readWhole(out / "rows.csv"), "rows.csv");
+    figures = figuresOfRow(io::readText(out / "rows.csv"), "rows.csv");
   else if (arm.program.kind == ProgramKind::stock)
     figures = figuresOfStock(io::readWhole(out / kPrintedFile), kPrintedFile);
   else

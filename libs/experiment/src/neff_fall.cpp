@@ -35,7 +35,7 @@ NeffStep stepOf(const std::string& line, const std::string& place) {
 }  // namespace
 
 std::vector<NeffStep> readNeffSteps(const std::filesystem::path& file) {
-  std::istringstream in(io::readWhole(file));
+  std::istringstream in(io::readText(file));
   std::string line;
   if (!std::getline(in, line) || line.rfind(kColumns, 0) != 0)
     throw core::Error(file.string() + ":1: is no steps.csv of ariadne-slam");

@@ -158,7 +158,7 @@ std::string toLine(const LoopRow& row) {
 }
 
 std::vector<LoopRow> readRows(const std::filesystem::path& file) {
-  std::istringstream in(io::readWhole(file));
+  std::istringstream in(io::readText(file));
   std::string line;
   const std::size_t count = std::getline(in, line) ? cellsOfHeader(line) : 0;
   if (count == 0) throw core::Error(file.string() + ":1: is no file of this experiment's rows");

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "ariadne/core/error.h"
+#include "ariadne/core/plain_text.h"
 
 namespace ariadne::io {
 namespace {
@@ -46,7 +47,7 @@ class Parser {
     number_ = number;
     if (raw.size() > kMaxLine) fail("the line is longer than 64 KB: no configuration file");
     if (raw.find('\0') != raw.npos)
-      fail("holds a NUL byte: a configuration is plain text (UTF-8, not UTF-16)");
+      fail("holds a NUL byte: a configuration is plain text");
     const std::string_view text = trimmed(raw);
     if (text.empty() || text[0] == ';' || text[0] == '#' || text.substr(0, 2) == "//") return;
     if (text[0] == '[')
@@ -127,7 +128,6 @@ bool IniDocument::hasSection(std::string_view section) const {
 }
 
 IniDocument parseIni(std::string_view text, const std::string& name, IniDialect dialect) {
-  if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
   Parser parser(name, dialect);
   for (std::size_t number = 1; !text.empty(); ++number) {
     const std::size_t end = std::min(text.find('\n'), text.size());
@@ -154,7 +154,7 @@ std::string readIniText(const std::filesystem::path& path) {
   if (text.size() > kMaxFile)
     throw core::UsageError(
         fmt::format("{} is larger than 4 MB: no configuration file", path.string()));
-  return text;
+  return core::plainText(std::move(text));
 }
 
 IniEntry parseSetting(const std::string& text) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include "ariadne/core/error.h"
 
@@ -33,16 +34,45 @@ InputFile::InputFile(const std::filesystem::path& path) : path_(path) {
 
 InputFile::~InputFile() { gzclose(file_); }
 
-bool InputFile::more() {
-  if (at_end_) return false;
-  window_.erase(window_.begin(), window_.begin() + static_cast<std::ptrdiff_t>(begin_));
-  begin_ = 0;
+/// Appends a block of the file to the window; returns its size, 0 at the end and -1 on failure.
+int InputFile::fill() {
   const std::size_t old_size = window_.size();
   window_.resize(old_size + kBlock);
   const int got = gzread(file_, window_.data() + old_size, kBlock);
   window_.resize(old_size + static_cast<std::size_t>(std::max(got, 0)));
-  end_offset_ += static_cast<std::uint64_t>(std::max(got, 0));
-  if (got > 0) return true;
+  return got;
+}
+
+/// What the window holds from there on was read just now.
+void InputFile::makePlain(std::size_t from) {
+  if (!std::exchange(started_, true)) {
+    const core::TextStart start = core::startOfText(window_);
+    if (start.charset != nullptr) try {
+        decoder_ = std::make_unique<core::TextDecoder>(start.charset);
+      } catch (const core::Error& e) {
+        throw failure(path_, e.what());
+      }
+    window_.erase(0, start.mark);
+  }
+  if (!decoder_) return;
+  decoded_.clear();
+  decoder_->decode(std::string_view(window_).substr(from), decoded_);
+  window_.replace(from, window_.npos, decoded_);
+}
+
+bool InputFile::more() {
+  if (at_end_) return false;
+  window_.erase(0, begin_);
+  begin_ = 0;
+  const std::size_t old_size = window_.size();
+  const int got = fill();
+  if (got > 0) {
+    makePlain(old_size);
+    end_offset_ += window_.size() - old_size;
+    return true;
+  }
+  if (decoder_) decoder_->finish(window_);
+  end_offset_ += window_.size() - old_size;
   // Only now: zlib reports an early end long before the last bytes are out.
   at_end_ = true;
   int code = Z_OK;

@@ -1,12 +1,17 @@
-// A file, gzip or not, as a window that slides over its unpacked bytes.
+// A file, gzip or not, as a window that slides over its unpacked bytes. Text is plain in it:
+// without a byte order mark, UTF-16 as UTF-8. It is decoded block by block here, since a log of
+// any size is read through this window and no reader of lines need know of encodings; no binary
+// format that is read begins like such a text.
 #pragma once
 #include <zlib.h>
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
+
+#include "ariadne/core/plain_text.h"
 
 namespace ariadne::io {
 
@@ -35,11 +40,16 @@ class InputFile {
 
  private:
   bool more();
+  int fill();
+  void makePlain(std::size_t from);
 
   std::filesystem::path path_;
   std::uintmax_t packed_size_;
   gzFile file_;
-  std::vector<char> window_;
+  std::string window_;
+  std::unique_ptr<core::TextDecoder> decoder_;
+  std::string decoded_;
+  bool started_ = false;
   std::size_t begin_ = 0;
   std::uint64_t end_offset_ = 0;
   bool at_end_ = false;

@@ -49,7 +49,7 @@ bool parsePose(const std::vector<std::string_view>& words, models::StampedPose& 
 }  // namespace
 
 models::Trajectory readTum(const std::filesystem::path& path) {
-  const std::string content = readWhole(path);
+  const std::string content = readText(path);
   models::Trajectory trajectory;
   std::vector<std::string_view> words;
   std::size_t line_number = 0;

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "ariadne/core/error.h"
+#include "ariadne/core/plain_text.h"
 
 namespace ariadne::io {
 namespace {
@@ -118,6 +119,10 @@ std::string readWhole(const fs::path& path, std::size_t most_bytes) {
       throw core::Error(fmt::format("{} holds more than {:.0f} MB, too much for what it is to be",
                                     path.string(), static_cast<double>(most_bytes) / (1 << 20)));
   }
+}
+
+std::string readText(const fs::path& path, std::size_t most_bytes) {
+  return core::plainText(readWhole(path, most_bytes));
 }
 
 }  // namespace ariadne::io

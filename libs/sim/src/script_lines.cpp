@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "ariadne/core/names.h"
+#include "ariadne/core/plain_text.h"
 
 namespace ariadne::sim {
 namespace {
@@ -78,7 +79,7 @@ std::string readScript(const std::filesystem::path& path) {
   if (in.bad()) fail(std::generic_category().message(errno));
   text.resize(static_cast<std::size_t>(in.gcount()));
   if (text.size() > kLargestFile) fail("over 4 MB, larger than any world or drive");
-  return text;
+  return core::plainText(std::move(text));
 }
 
 core::Error lineError(const ScriptLine& line, const std::string& what) {

@@ -39,8 +39,8 @@ struct IniDocument {
   bool hasSection(std::string_view section) const;
 };
 
-/// How a file is read. Both take CRLF, a UTF-8 byte order mark, blanks anywhere, no final newline,
-/// and lines that are a comment (`;`, `#`, `//`).
+/// How a file is read. Both take CRLF, blanks anywhere, no final newline, and lines that are a
+/// comment (`;`, `#`, `//`).
 enum class IniDialect {
   /// Ours: a comment after a value starts with a blank and `;`, `#` or `//`, a value may stand in
   /// "double quotes"; a section or key that comes twice, a key before any section and a line that
@@ -54,8 +54,8 @@ enum class IniDialect {
 /// Throws core::UsageError with file and line; also for NUL bytes and lines of more than 64 KB.
 IniDocument parseIni(std::string_view text, const std::string& name, IniDialect dialect);
 
-/// The text of a configuration file. Throws core::Error when it cannot be read and UsageError when
-/// it is larger than any (4 MB).
+/// The text of a configuration file, made plain by core::plainText. Throws core::Error when it
+/// cannot be read and UsageError when it is larger than any (4 MB).
 std::string readIniText(const std::filesystem::path& path);
 
 /// `section.key=value` of the option --set. Throws core::UsageError.

@@ -29,5 +29,7 @@ std::string writerMark();
 /// All of a file. Throws core::Error naming the path when it cannot be read, or is a folder, or
 /// holds more than `most_bytes`.
 std::string readWhole(const std::filesystem::path& path, std::size_t most_bytes = SIZE_MAX);
+/// The same of a text in any encoding that core::plainText knows.
+std::string readText(const std::filesystem::path& path, std::size_t most_bytes = SIZE_MAX);
 
 }  // namespace ariadne::io
