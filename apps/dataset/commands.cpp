@@ -25,7 +25,7 @@ void warn(const io::StepSource& steps, std::ostream& err) {
 template <class Write>
 void convert(const DatasetArguments& args, std::ostream& out, std::ostream& err, Write write) {
   refuseToOverwrite(args.out, args.overwrite);
-  const auto steps = io::openDataset(args.in, {args.laser});
+  const auto steps = io::openDataset(args.in, args.dataset);
   {
     Progress progress(err, "reading " + args.in.filename().string());
     const std::size_t count = write([&] {
@@ -47,7 +47,7 @@ void restamp(models::SensorStep& step, double time_s) {
 void showInfo(const DatasetArguments& args, std::ostream& out, std::ostream& err) {
   const DatasetInfo info = [&] {
     Progress progress(err, "reading " + args.in.filename().string());
-    return collectInfo(args.in, args.laser, [&](double done) { progress.update(done); });
+    return collectInfo(args.in, args.dataset, [&](double done) { progress.update(done); });
   }();
   out << (args.json ? infoAsJson(info) : infoAsText(info));
 }

@@ -5,6 +5,7 @@
 #include <iosfwd>
 #include <string>
 
+#include "ariadne/io/dataset.h"
 #include "ariadne/io/dataset_writers.h"
 #include "ariadne/io/motion_noise.h"
 
@@ -13,7 +14,7 @@ namespace ariadne {
 struct DatasetArguments {
   std::filesystem::path in;
   std::filesystem::path out;
-  std::string laser;
+  io::DatasetOptions dataset;
   bool overwrite = false;
   bool json = false;
   io::CarmenLaser carmen_laser = io::CarmenLaser::robotlaser;

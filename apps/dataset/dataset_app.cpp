@@ -98,7 +98,11 @@ class CommandLine {
   CLI::App* add(const char* name, const char* about, Command command) {
     CLI::App* sub = app_.add_subcommand(name, about);
     sub->add_option("IN", args_.in, "log to read")->required();
-    sub->add_option("--laser", args_.laser, "label of the laser, where there are several");
+    sub->add_option("--laser", args_.dataset.laser_label,
+                    "label of the laser, where there are several");
+    sub->add_option("--field-of-view", args_.dataset.field_of_view_deg,
+                    "degrees that the laser's beams span, for a CARMEN log that does not say it")
+        ->check(CLI::Range(1.0, 360.0));
     sub->callback([this, command] {
       command_ = [this, command](auto& out, auto& err) { command(args_, out, err); };
     });

@@ -97,11 +97,11 @@ double LaserInfo::rate_hz() const {
   return stamps > 1 && span_s > 0 ? static_cast<double>(stamps - 1) / span_s : 0;
 }
 
-DatasetInfo collectInfo(const std::filesystem::path& path, const std::string& laser,
+DatasetInfo collectInfo(const std::filesystem::path& path, io::DatasetOptions options,
                         const std::function<void(double)>& progress) {
   DatasetInfo info;
   info.path = path;
-  const auto records = io::openRecords(path);
+  const auto records = io::openRecords(path, options);
   info.format = records->format();
   info.bytes = std::filesystem::file_size(path);
   Collector collect(info);
@@ -110,12 +110,14 @@ DatasetInfo collectInfo(const std::filesystem::path& path, const std::string& la
     progress(records->fraction() / 2);
   }
   info.classes = records->classes();
-  info.laser = laser;
-  if (laser.empty() && !info.lasers.empty()) info.laser = info.lasers.begin()->first;
+  info.notes = records->notes();
+  info.laser = options.laser_label;
+  if (info.laser.empty() && !info.lasers.empty()) info.laser = info.lasers.begin()->first;
   try {
     // An unlabelled laser among labelled ones has a name in options only.
     const bool unlabelled = info.laser.empty() && info.lasers.size() > 1;
-    const auto steps = io::openDataset(path, {unlabelled ? "(none)" : info.laser});
+    options.laser_label = unlabelled ? "(none)" : info.laser;
+    const auto steps = io::openDataset(path, options);
     followSteps(info, *steps, progress);
     const auto& c = info.counts;
     const std::size_t bad = c.beams_no_return + c.beams_out_of_range + c.beams_nan + c.beams_zero +

@@ -43,6 +43,7 @@ struct DatasetInfo {
   bool can_be_mapped = false;
   std::string why_not;
   io::DatasetCounts counts;
+  std::vector<std::string> notes;  ///< what the records were taken to mean
   std::vector<std::string> warnings;
   double begin_s = 0;
   double duration_s = 0;
@@ -52,10 +53,9 @@ struct DatasetInfo {
   double width_m = 0, height_m = 0;  ///< of the area that the odometry spans
 };
 
-/// Reads the file twice, for its contents and for its steps. `laser` as in DatasetOptions; with
-/// several lasers and none chosen the steps are those of the first. Throws core::Error when the
-/// file is no log at all.
-DatasetInfo collectInfo(const std::filesystem::path& path, const std::string& laser,
+/// Reads the file twice, for its contents and for its steps. With several lasers and none chosen
+/// the steps are those of the first. Throws core::Error when the file is no log at all.
+DatasetInfo collectInfo(const std::filesystem::path& path, io::DatasetOptions options,
                         const std::function<void(double)>& progress);
 
 std::string infoAsText(const DatasetInfo& info);

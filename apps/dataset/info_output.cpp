@@ -26,8 +26,11 @@ void laserText(std::back_insert_iterator<std::string> out, const std::string& la
   const std::string beams = laser.fewest_beams == laser.most_beams
                                 ? fmt::format("{}", laser.most_beams)
                                 : fmt::format("{} to {}", laser.fewest_beams, laser.most_beams);
-  fmt::format_to(out, "laser {}: {} scans, {} beams over {:.2f} deg, up to {:g} m", name(label),
-                 laser.scans, beams, laser.field_of_view_deg, laser.max_range_m);
+  const std::string angle = laser.field_of_view_deg > 0
+                                ? fmt::format("{:.2f} deg", laser.field_of_view_deg)
+                                : "an unknown angle";
+  fmt::format_to(out, "laser {}: {} scans, {} beams over {}, up to {:g} m", name(label),
+                 laser.scans, beams, angle, laser.max_range_m);
   if (laser.rate_hz() > 0) fmt::format_to(out, ", {:.2f} Hz", laser.rate_hz());
   fmt::format_to(out,
                  "\n  at x {:.3f} y {:.3f} z {:.3f} m, yaw {:.2f} pitch {:.2f} roll {:.2f} deg{}",
@@ -116,6 +119,7 @@ std::string infoAsText(const DatasetInfo& info) {
     fmt::format_to(out, "beams: {}, {:.1f} % without return\n", c.beams,
                    share * static_cast<double>(c.beams_no_return));
   }
+  for (const std::string& line : info.notes) fmt::format_to(out, "note: {}\n", line);
   for (const std::string& line : info.warnings) fmt::format_to(out, "warning: {}\n", line);
   if (info.can_be_mapped && info.lasers.size() > 1)
     fmt::format_to(out, "can be mapped: yes, with one of the lasers chosen by its label\n");
@@ -147,6 +151,7 @@ std::string infoAsJson(const DatasetInfo& info) {
                                {"width_m", info.width_m},
                                {"height_m", info.height_m},
                                {"counts", countsJson(info.counts)},
+                               {"notes", info.notes},
                                {"warnings", info.warnings},
                                {"can_be_mapped", info.can_be_mapped},
                                {"why_not", info.why_not}};

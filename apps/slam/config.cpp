@@ -49,6 +49,13 @@ std::vector<io::IniEntry> flagEntries(const Options& o) {
 
 }  // namespace
 
+io::DatasetOptions optionsOf(const DatasetParams& params) {
+  io::DatasetOptions options;
+  options.laser_label = params.laser_label;
+  options.field_of_view_deg = params.field_of_view_deg;
+  return options;
+}
+
 ResolvedConfig resolveConfig(const Options& options) {
   ResolvedConfig resolved = fromFile(options.config_file);
   for (const std::string& setting : options.settings)

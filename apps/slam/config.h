@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "ariadne/io/dataset.h"
 #include "ariadne/slam/params.h"
 #include "options.h"
 #include "run_params.h"
@@ -12,6 +13,7 @@ namespace ariadne::slam_app {
 struct DatasetParams {
   std::string file;
   std::string laser_label;
+  double field_of_view_deg = 0;
 };
 
 template <class V>
@@ -21,7 +23,13 @@ void visitFields(V& v, DatasetParams& p) {
          "folder, or at the current one on the command line");
   v.text("laser_label", p.laser_label,
          "laser to use, where the log has several (ariadne-dataset info lists them)");
+  v.number(
+      "field_of_view_deg", p.field_of_view_deg, {0, 360},
+      "angle that the laser's beams span, for a CARMEN log that does not say it (an error asks "
+      "for it) or is wrong; 0: what the log says");
 }
+
+io::DatasetOptions optionsOf(const DatasetParams& params);
 
 struct SlamConfig {
   DatasetParams dataset;

@@ -87,7 +87,7 @@ int mapDataset(const Options& options, ResolvedConfig resolved, std::ostream& ou
 
   const Interrupt interrupt;
   const auto opening = std::chrono::steady_clock::now();
-  const auto source = io::openDataset(config.dataset.file, {config.dataset.laser_label});
+  const auto source = io::openDataset(config.dataset.file, optionsOf(config.dataset));
   const std::chrono::duration<double> opened = std::chrono::steady_clock::now() - opening;
   slam::Mapper mapper(config.slam, config.run.threads);
   const std::vector<Output> outputs = outputsOf(config);

@@ -26,7 +26,7 @@ std::string truthBeside(const Path& file) {
 }  // namespace
 
 void readLog(const Path& file) {
-  const DatasetInfo info = collectInfo(file, "", [](double) {});
+  const DatasetInfo info = collectInfo(file, {}, [](double) {});
   infoAsText(info);
   infoAsJson(info);
 }

@@ -15,8 +15,6 @@ using mrpt::math::TPose2D;
 using Words = std::vector<std::string_view>;
 
 constexpr std::size_t kMostBeams = 100'000;
-// A SICK LMS in centimetres says 81.91, 81.90 or 81.83 for "nothing", and measures up to 80 m.
-constexpr float kDefaultMaxRange_m = 80;
 constexpr double kLatest_s = 1e11;
 
 /// Takes the words of a line one by one; the first that is wrong stays in `problem`.
@@ -28,6 +26,17 @@ class Reader {
     if (!value || (must_be_finite && !std::isfinite(*value))) fail(what);
     ++at_;
     return value.value_or(0);
+  }
+  /// An angle that need not be there: a driver's division by zero says as little as a zero.
+  double angle(const char* what) {
+    const double value = number(what, false);
+    return std::isfinite(value) ? value : 0;
+  }
+  std::size_t left() const { return words_.size() - std::min(at_, words_.size()); }
+  bool isInteger() const { return left() > 0 && parseInteger(words_[at_]); }
+  bool isAtMost(double most) const {
+    const auto value = left() > 0 ? parseNumber(words_[at_]) : std::nullopt;
+    return value && *value <= most;
   }
   std::size_t count(const char* what) {
     const auto word = at_ < words_.size() ? parseInteger(words_[at_]) : std::nullopt;
@@ -77,26 +86,34 @@ void setRanges(mrpt::obs::CObservation2DRangeScan& scan, Reader& line, std::size
   }
 }
 
-void setFan(mrpt::obs::CObservation2DRangeScan& scan, const CarmenFan& fan) {
-  const double span = fan.step_rad * (static_cast<double>(scan.getScanSize()) - 1);
-  scan.aperture = static_cast<float>(span);
-  // MRPT's beams are symmetric about the sensor's axis, so an uneven fan turns the sensor.
-  scan.sensorPose = mrpt::poses::CPose3D(0, 0, 0, fan.start_rad + span / 2, 0, 0);
+/// Laser type to ranges and remissions. CARMEN's first releases wrote no remission mode (0 to 2),
+/// and some programs write no remissions.
+void readConfigured(CarmenScan& out, Reader& line) {
+  auto& scan = *out.record.scan;
+  line.number("laser type");
+  out.fan.emplace();
+  out.fan->start = line.angle("start angle");
+  out.fan->field = line.angle("field of view");
+  out.fan->step = line.angle("angular resolution");
+  const double reach = line.number("maximum range");
+  if (reach > 0 && reach < 1000) scan.maxRange = static_cast<float>(reach);
+  line.number("accuracy");
+  if (line.isAtMost(2)) line.number("remission mode");
+  setRanges(scan, line, line.count("number of ranges"));
+  if (line.isInteger()) line.pass(line.count("number of remissions"));
 }
 
 }  // namespace
 
-CarmenFan carmenFan(std::size_t count) {
-  constexpr double kDegree = M_PI / 180;
-  const std::size_t steps = count - count % 2;  // an odd count has a beam at each end
-  const bool narrow = steps == 100 || steps == 400;
-  const double fov = narrow ? 100 * kDegree : 180 * kDegree;
-  return {-fov / 2, steps == 0 ? 0 : fov / static_cast<double>(steps)};
-}
-
-bool isCarmenScan(const Words& words) {
-  return !words.empty() && (words[0] == "FLASER" || words[0] == "RLASER" ||
-                            words[0] == "ROBOTLASER1" || words[0] == "ROBOTLASER2");
+CarmenLine kindOf(const Words& words) {
+  const std::string_view kind = words[0];
+  if (kind == "FLASER" || kind == "RLASER") return CarmenLine::scan;
+  if (kind == "ODOM") return CarmenLine::odometry;
+  if (kind == "PARAM") return CarmenLine::param;
+  if (kind.empty() || kind.back() < '1' || kind.back() > '5') return CarmenLine::other;
+  const std::string_view name = kind.substr(0, kind.size() - 1);
+  if (name == "ROBOTLASER") return CarmenLine::scan;
+  return name == "RAWLASER" ? CarmenLine::raw_scan : CarmenLine::other;
 }
 
 std::optional<CarmenScan> parseCarmenScan(const Words& words, std::string& problem) {
@@ -104,38 +121,36 @@ std::optional<CarmenScan> parseCarmenScan(const Words& words, std::string& probl
   out.record.scan = mrpt::obs::CObservation2DRangeScan::Create();
   auto& scan = *out.record.scan;
   scan.sensorLabel = std::string(words[0]);
-  scan.rightToLeft = true;
-  scan.maxRange = kDefaultMaxRange_m;
+  scan.maxRange = kCarmenMaxRange_m;
   Reader line(words, 1);
-  if (words[0] == "FLASER" || words[0] == "RLASER") {
-    const std::size_t count = line.count("number of ranges");
-    setRanges(scan, line, count);
-    setFan(scan, carmenFan(count));
-    out.odom_from_laser = line.pose("laser pose");
-    out.record.odom_from_robot = line.pose("robot pose");
+  const bool bare = words[0] == "FLASER" || words[0] == "RLASER";
+  if (bare) {
+    setRanges(scan, line, line.count("number of ranges"));
   } else {
-    line.number("laser type");
-    CarmenFan fan;
-    fan.start_rad = line.number("start angle");
-    line.number("field of view");
-    fan.step_rad = line.number("angular resolution");
-    const double reach = line.number("maximum range");
-    if (reach > 0 && reach < 1000) scan.maxRange = static_cast<float>(reach);
-    line.number("accuracy");
-    line.number("remission mode");
-    const std::size_t count = line.count("number of ranges");
-    setRanges(scan, line, count);
-    setFan(scan, fan);
-    line.pass(line.count("number of remissions"));
+    readConfigured(out, line);
+  }
+  if (kindOf(words) == CarmenLine::scan) {
     out.odom_from_laser = line.pose("laser pose");
     out.record.odom_from_robot = line.pose("robot pose");
-    line.pass(5);  // velocities, safety distances, turning axis
+    // Velocities, safety distances, turning axis, which old lines lack.
+    if (!bare) line.pass(line.left() == 7 ? 4 : 5);
   }
   out.record.time_s = line.stamp();
   problem = line.problem();
   if (!problem.empty()) return std::nullopt;
   if (out.record.time_s) scan.timestamp = clockOfSeconds(*out.record.time_s);
   return out;
+}
+
+std::optional<OdometryReading> parseCarmenOdometry(const Words& words, std::string& problem) {
+  Reader line(words, 1);
+  OdometryReading reading;
+  reading.odom_from_robot = line.pose("pose");
+  line.pass(3);  // velocities, acceleration
+  reading.time_s = line.stamp();
+  problem = line.problem();
+  if (!problem.empty()) return std::nullopt;
+  return reading;
 }
 
 }  // namespace ariadne::io

@@ -8,29 +8,30 @@
 #include <vector>
 
 #include "ariadne/io/dataset_records.h"
+#include "carmen_fan_choice.h"
 
 namespace ariadne::io {
 
-/// A scan with both poses of its line.
+/// A SICK LMS in centimetres says 81.91, 81.90 or 81.83 for "nothing", and measures up to 80 m.
+constexpr float kCarmenMaxRange_m = 80;
+
+/// A scan without its angles and its place on the robot, which a line alone does not say.
 struct CarmenScan {
-  LaserRecord record;  ///< sensorPose: only the turn of the beams' middle against the laser's axis
-  mrpt::math::TPose2D odom_from_laser;
+  LaserRecord record;
+  std::optional<CarmenLineFan> fan;                    ///< ROBOTLASER and RAWLASER
+  std::optional<mrpt::math::TPose2D> odom_from_laser;  ///< all but RAWLASER
 };
 
-/// Whether the words are a line with a scan that `parseCarmenScan` knows.
-bool isCarmenScan(const std::vector<std::string_view>& words);
+enum class CarmenLine { scan, raw_scan, odometry, param, other };
+/// What the words, at least one, are: FLASER, RLASER, ROBOTLASER1 to 5 with the robot's pose on the
+/// line; RAWLASER1 to 5 without.
+CarmenLine kindOf(const std::vector<std::string_view>& words);
 
 /// The scan; nullopt and `problem` when the line is malformed.
 std::optional<CarmenScan> parseCarmenScan(const std::vector<std::string_view>& words,
                                           std::string& problem);
-
-/// Beams of FLASER lines, which carry no angles: `count` tells. The first is at -fov / 2.
-struct CarmenFan {
-  double start_rad = 0;
-  double step_rad = 0;
-};
-/// 181, 361, 721: both ends of 180 degrees; 180, 360, 720: the left end is missing; 101, 401 and
-/// 100, 400: the same of 100 degrees (a SICK's other setting).
-CarmenFan carmenFan(std::size_t count);
+/// Of an ODOM line.
+std::optional<OdometryReading> parseCarmenOdometry(const std::vector<std::string_view>& words,
+                                                   std::string& problem);
 
 }  // namespace ariadne::io

@@ -7,7 +7,7 @@
 #include "ariadne/core/error.h"
 #include "ariadne/io/dataset_writers.h"
 #include "ariadne/io/whole_file.h"
-#include "carmen_line.h"
+#include "carmen_fan.h"
 #include "output_file.h"
 
 namespace ariadne::io {
@@ -68,7 +68,7 @@ void appendFlaser(std::string& text, const models::SensorStep& step, const FlatS
                   const std::filesystem::path& path) {
   const auto& scan = *step.scan;
   const std::size_t count = flat.order.size();
-  const CarmenFan fan = carmenFan(count);
+  const CarmenFan fan = knownFan(count).value_or(CarmenFan());
   const double span = fan.step_rad * static_cast<double>(count - 1);
   if (std::abs(span - flat.span_rad) > 0.01)
     throw core::Error(

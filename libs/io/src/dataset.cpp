@@ -25,14 +25,20 @@ constexpr const char* kNoLabel = "(none)";
 class Steps : public StepSource {
  public:
   Steps(const std::filesystem::path& path, const DatasetOptions& options)
-      : path_(path), records_(openRecords(path)), wanted_(options.laser_label), track_(counts_) {
+      : path_(path),
+        records_(openRecords(path, options)),
+        wanted_(options.laser_label),
+        track_(counts_) {
     if (wanted_ && wanted_->empty()) wanted_.reset();
     const bool any = !wanted_;
     if (wanted_ == kNoLabel) wanted_ = "";
     while (ready_.size() < kLookahead && readRecord())
       if (!track_.hasOdometry() && track_.waiting() > kMostWithoutOdometry) break;
     if (any && labels_.size() > 1)
-      throw failure(fmt::format("several lasers: {}; choose one by its label", listLabels()));
+      throw failure(fmt::format(
+          "several lasers: {}; choose one by its label: [dataset] laser_label, as in --set "
+          "dataset.laser_label=\"{}\", or ariadne-dataset's --laser",
+          listLabels(), named(labels_.begin()->first)));
     if (ready_.empty()) throw failure(whyNothing());
     refuseWhenMostAreLost(ready_.size());
   }
@@ -88,6 +94,7 @@ class Steps : public StepSource {
     if (scan.sensorLabel != *wanted_) {
       ++counts_.scans_other_lasers;
     } else if (!repairGeometry(scan)) {
+      problem_ = laser.problem;
       ++counts_.scans_malformed;
     } else if (!isPlanar(scan)) {
       ++counts_.scans_not_planar;
@@ -112,10 +119,12 @@ class Steps : public StepSource {
         counts_.scans_backwards, counts_.scans_backwards + used));
   }
 
+  static std::string named(const std::string& label) { return label.empty() ? kNoLabel : label; }
+
   std::string listLabels() const {
     std::vector<std::string> list;
     for (const auto& [label, count] : labels_)
-      list.push_back(fmt::format("{} ({} scans)", label.empty() ? kNoLabel : label, count));
+      list.push_back(fmt::format("{} ({} scans)", named(label), count));
     return fmt::format("{}", fmt::join(list, ", "));
   }
 
@@ -135,6 +144,7 @@ class Steps : public StepSource {
     if (!track_.hasOdometry() && track_.waiting() > 0)
       return fmt::format("no odometry in this {} (found: {}){}", records_->format(), contents,
                          details);
+    if (!problem_.empty()) return problem_;
     return fmt::format("no usable scan in this {}{}", records_->format(), details);
   }
 
@@ -150,6 +160,7 @@ class Steps : public StepSource {
   TimeGate<Placed> gate_;
   std::map<std::string, std::size_t> labels_;
   std::deque<models::SensorStep> ready_;
+  std::string problem_;  ///< of the last scan that had none of the angles it needs
   double last_time_s_ = 0;
   bool ended_ = false;
 };
@@ -164,7 +175,8 @@ bool looksLikeText(std::string_view beginning) {
 
 }  // namespace
 
-std::unique_ptr<RecordSource> openRecords(const std::filesystem::path& path) {
+std::unique_ptr<RecordSource> openRecords(const std::filesystem::path& path,
+                                          const DatasetOptions& options) {
   auto file = std::make_unique<InputFile>(path);
   const std::string_view beginning = file->peek(2048);
   const auto failure = [&](const std::string& why) {
@@ -172,10 +184,10 @@ std::unique_ptr<RecordSource> openRecords(const std::filesystem::path& path) {
   };
   if (beginning.empty())
     throw failure(file->trouble().empty() ? "the file is empty" : file->trouble());
-  if (looksLikeArchive(beginning)) return std::make_unique<RawlogRecords>(std::move(file));
+  if (looksLikeArchive(beginning)) return std::make_unique<RawlogRecords>(std::move(file), options);
   if (!looksLikeText(beginning.substr(0, 2048)))
     throw failure("neither an MRPT rawlog nor a CARMEN log");
-  return std::make_unique<CarmenRecords>(path);
+  return std::make_unique<CarmenRecords>(path, options);
 }
 
 std::unique_ptr<StepSource> openDataset(const std::filesystem::path& path,

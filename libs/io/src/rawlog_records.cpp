@@ -9,6 +9,12 @@ bool isMovement(const std::string& name) { return name.rfind("CActionRobotMoveme
 
 }  // namespace
 
+RawlogRecords::RawlogRecords(std::unique_ptr<InputFile> file, const DatasetOptions& options)
+    : file_(std::move(file)), archive_(*file_) {
+  if (options.field_of_view_deg > 0)
+    remarks_.push_back("field_of_view_deg is not used: a rawlog's scans carry their angles");
+}
+
 std::optional<LogRecord> RawlogRecords::next() {
   try {
     while (!done_) {

@@ -9,8 +9,7 @@ namespace ariadne::io {
 class RawlogRecords : public RecordSource {
  public:
   /// Of a file that looks like an object stream.
-  explicit RawlogRecords(std::unique_ptr<InputFile> file)
-      : file_(std::move(file)), archive_(*file_) {}
+  RawlogRecords(std::unique_ptr<InputFile> file, const DatasetOptions& options);
 
   std::optional<LogRecord> next() override;
   double fraction() const override { return file_->fraction(); }

@@ -15,8 +15,12 @@ namespace ariadne::io {
 
 struct DatasetOptions {
   /// The laser to use: a rawlog's sensorLabel; FLASER, RLASER, ROBOTLASER1, ... in a CARMEN log.
-  /// Empty: the only one. (FLASER repeats ROBOTLASER1 where a log has both: the latter is used.)
+  /// Empty: the only one. (FLASER repeats ROBOTLASER1 where a log has both: the latter is used;
+  /// RAWLASER1 is used where a log has lines of no other kind.)
   std::string laser_label;
+  /// Over 0: from the first to the last beam of a CARMEN log's lasers, degrees, whatever the log
+  /// says; of an even number of beams the left end is missing (180 beams are -90 to 89 degrees).
+  double field_of_view_deg = 0;
 };
 
 /// How often a clock was set back or started over, and the stamps about the first time.
@@ -75,8 +79,8 @@ class StepSource {
 
 /// Opens a dataset and reads far enough to know that it can be mapped. Throws core::Error naming
 /// the file when it cannot: unreadable, empty, of another kind, without laser, without odometry,
-/// with several lasers and no label (the message lists the labels), damaged before the first step,
-/// most of the first scans out of order.
+/// with several lasers and no label (the message lists the labels), with a laser whose angles
+/// nobody says, damaged before the first step, most of the first scans out of order.
 std::unique_ptr<StepSource> openDataset(const std::filesystem::path& path,
                                         const DatasetOptions& options = {});
 

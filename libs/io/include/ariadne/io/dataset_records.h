@@ -13,6 +13,8 @@
 #include <variant>
 #include <vector>
 
+#include "ariadne/io/dataset.h"
+
 namespace ariadne::io {
 
 /// A motion since the increment before (CActionRobotMovement2D): m, rad, in the robot's frame.
@@ -32,6 +34,7 @@ struct LaserRecord {
   mrpt::obs::CObservation2DRangeScan::Ptr scan;
   std::optional<double> time_s;
   std::optional<mrpt::math::TPose2D> odom_from_robot;
+  std::string problem;  ///< why the beams' angles are not known; the aperture is 0 then
 };
 
 using LogRecord = std::variant<OdometryIncrement, OdometryReading, LaserRecord>;
@@ -51,9 +54,12 @@ class RecordSource {
   virtual const char* format() const = 0;
   /// What was noticed that is neither damage nor counted elsewhere.
   virtual const std::vector<std::string>& remarks() const = 0;
+  /// What the records were taken to mean, and by what; nothing in it is wrong.
+  virtual std::vector<std::string> notes() const { return {}; }
 };
 
 /// Throws core::Error naming the file when it is unreadable, empty or neither of the two.
-std::unique_ptr<RecordSource> openRecords(const std::filesystem::path& path);
+std::unique_ptr<RecordSource> openRecords(const std::filesystem::path& path,
+                                          const DatasetOptions& options = {});
 
 }  // namespace ariadne::io

@@ -1,0 +1,210 @@
+#include "carmen_lasers.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+#include "input_file.h"
+#include "text_fields.h"
+
+namespace ariadne::io {
+namespace {
+
+using mrpt::math::TPose2D;
+
+constexpr std::size_t kSurveyedScans = 200;
+constexpr std::size_t kLongest = 16;
+constexpr std::size_t kMostFans = 16;  // that are remembered: lines may differ from each other
+
+/// FLASER's better half is ROBOTLASER1.
+const char* betterThan(const std::string& label) {
+  if (label == "FLASER") return "ROBOTLASER1";
+  return label == "RLASER" ? "ROBOTLASER2" : "";
+}
+
+bool isRaw(const std::string& label) { return label.rfind("RAWLASER", 0) == 0; }
+
+TPose2D offsetOf(const CarmenScan& scan) {
+  const TPose2D& robot = *scan.record.odom_from_robot;
+  const TPose2D& laser = *scan.odom_from_laser;
+  const double c = std::cos(robot.phi), s = std::sin(robot.phi);
+  const double dx = laser.x - robot.x, dy = laser.y - robot.y;
+  return {c * dx + s * dy, -s * dx + c * dy, std::remainder(laser.phi - robot.phi, 2 * M_PI)};
+}
+
+}  // namespace
+
+CarmenLasers::CarmenLasers(const std::filesystem::path& path, double field_of_view_deg)
+    : field_of_view_deg_(field_of_view_deg) {
+  survey(path);
+  for (auto& [label, laser] : lasers_)
+    if (isUsed(label)) settle(label, laser);
+  if (!posed_.empty()) remarkOnRawLasers();
+}
+
+void CarmenLasers::survey(const std::filesystem::path& path) {
+  InputFile file(path);
+  std::vector<std::string_view> words;
+  std::string_view line;
+  std::string problem;
+  bool too_long = false;
+  std::size_t scans = 0;
+  while (scans < kSurveyedScans && file.line(line, too_long)) {
+    if (too_long) continue;
+    splitFields(line, words);
+    if (words.empty()) continue;
+    const CarmenLine kind = kindOf(words);
+    if (kind == CarmenLine::param) takeParam(words, scans > 0);
+    if (kind != CarmenLine::scan && kind != CarmenLine::raw_scan) continue;
+    const auto scan = parseCarmenScan(words, problem);
+    if (!scan) continue;
+    look(*scan);
+    ++scans;
+  }
+  // A PARAM may stand anywhere: no error before the whole log was looked through.
+  bool known = allFansKnown();
+  while (!known && file.line(line, too_long)) {
+    if (too_long || line.find("PARAM") == line.npos) continue;
+    splitFields(line, words);
+    if (words.empty() || kindOf(words) != CarmenLine::param) continue;
+    takeParam(words, true);
+    known = allFansKnown();
+  }
+  surveyed_ = true;
+}
+
+/// Those that have no counterpart among the lines with poses.
+void CarmenLasers::remarkOnRawLasers() {
+  for (const std::string& label : raw_) {
+    const char number = label.back();
+    const bool seen = posed_.count(std::string("ROBOTLASER") + number) > 0 ||
+                      (number == '1' && posed_.count("FLASER") > 0) ||
+                      (number == '2' && posed_.count("RLASER") > 0);
+    if (!seen)
+      remarks_.push_back(fmt::format("{} lines are left out: they carry no pose, others do ({})",
+                                     label, fmt::join(posed_, ", ")));
+  }
+}
+
+void CarmenLasers::look(const CarmenScan& scan) {
+  const std::string& label = scan.record.scan->sensorLabel;
+  (isRaw(label) ? raw_ : posed_).insert(label);
+  Laser& laser = lasers_[label];
+  laser.bare = !scan.fan;
+  if (scan.odom_from_laser) laser.offsets.push_back(offsetOf(scan));
+  if (seen_.size() < kMostFans) seen_.insert(keyOf(scan));
+  for (std::size_t i = 0; i < scan.record.scan->getScanSize(); ++i) {
+    const float range = scan.record.scan->getScanRange(i);
+    if (!(range < kCarmenMaxRange_m)) continue;
+    if (laser.longest.size() == kLongest && range <= *laser.longest.begin()) continue;
+    laser.longest.insert(range);
+    if (laser.longest.size() > kLongest) laser.longest.erase(laser.longest.begin());
+  }
+}
+
+bool CarmenLasers::isUsed(const std::string& label) const {
+  if (isRaw(label)) return posed_.empty();
+  return posed_.count(betterThan(label)) == 0;
+}
+
+void CarmenLasers::settle(const std::string& label, Laser& laser) {
+  laser.params = params_.of(label);
+  laser.place = placeOf(laser.offsets, laser.params);
+  if (!laser.place.remark.empty())
+    remarks_.push_back(fmt::format("{} lines: {}", label, laser.place.remark));
+  const TPose2D& at = laser.place.robot_from_laser;
+  if (!laser.place.source.empty() && at != TPose2D())
+    notes_.push_back(fmt::format("{}: at x {:.3f} y {:.3f} m, yaw {:.2f} degrees, {}", label, at.x,
+                                 at.y, at.phi * 180 / M_PI, laser.place.source));
+  if (laser.bare) settleRange(label, laser);
+}
+
+/// A PARAM's maximum range may be one that the robot's programs were to heed, not the laser's: it
+/// is believed when readings beyond it are none or a few codes.
+void CarmenLasers::settleRange(const std::string& label, Laser& laser) {
+  constexpr std::size_t kMostCodes = 4;
+  const auto& param = laser.params.max_range_m;
+  if (!param || param->value >= kCarmenMaxRange_m) return;
+  const auto max_range_m = static_cast<float>(param->value);
+  const auto beyond = static_cast<std::size_t>(
+      std::distance(laser.longest.upper_bound(max_range_m), laser.longest.end()));
+  if (!(param->value > 0) || beyond > kMostCodes) {
+    remarks_.push_back(
+        fmt::format("{} lines: {} is not used: there are readings beyond it", label, param->text));
+    return;
+  }
+  laser.max_range_m = max_range_m;
+  notes_.push_back(fmt::format("{}: up to {:g} m by {}", label, param->value, param->text));
+}
+
+CarmenLasers::FanKey CarmenLasers::keyOf(const CarmenScan& scan) {
+  const CarmenLineFan fan = scan.fan.value_or(CarmenLineFan());
+  return {scan.record.scan->sensorLabel, scan.record.scan->getScanSize(), fan.start, fan.field,
+          fan.step};
+}
+
+FanChoice CarmenLasers::choose(const FanKey& key) const {
+  const auto& [label, count, start, field, step] = key;
+  if (count < 2) return {CarmenFan(), "", {}, ""};
+  const bool bare = label == "FLASER" || label == "RLASER";
+  const auto line = bare ? std::nullopt : std::optional(CarmenLineFan{start, field, step});
+  return chooseFan(label, count, line, params_.of(label), field_of_view_deg_);
+}
+
+bool CarmenLasers::allFansKnown() const {
+  for (const FanKey& key : seen_)
+    if (isUsed(std::get<0>(key)) && !choose(key).fan) return false;
+  return true;
+}
+
+const FanChoice& CarmenLasers::fanOf(const CarmenScan& scan) {
+  const FanKey key = keyOf(scan);
+  const auto there = fans_.find(key);
+  if (there != fans_.end()) return there->second;
+  if (fans_.size() >= kMostFans) return other_fan_ = choose(key);
+  const FanChoice& choice = fans_[key] = choose(key);
+  note(key, choice);
+  return choice;
+}
+
+void CarmenLasers::note(const FanKey& key, const FanChoice& choice) {
+  const std::string& label = std::get<0>(key);
+  const std::size_t count = std::get<1>(key);
+  for (const std::string& remark : choice.remarks)
+    remarks_.push_back(fmt::format("{} lines: {}", label, remark));
+  if (!choice.fan || count < 2) return;
+  const double first = choice.fan->start_rad * 180 / M_PI;
+  const double last = first + choice.fan->step_rad * 180 / M_PI * (static_cast<double>(count) - 1);
+  notes_.push_back(fmt::format("{}: {} beams from {:.5g} to {:.5g} degrees, {}", label, count,
+                               first, last, choice.source));
+}
+
+void CarmenLasers::complete(CarmenScan& scan) {
+  auto& obs = *scan.record.scan;
+  const FanChoice& choice = fanOf(scan);
+  if (!choice.fan) {
+    scan.record.problem = choice.problem;
+    obs.aperture = 0;
+    return;
+  }
+  const double span = choice.fan->step_rad * (static_cast<double>(obs.getScanSize()) - 1);
+  obs.aperture = static_cast<float>(std::abs(span));
+  obs.rightToLeft = span >= 0;
+  const Laser& laser = lasers_[obs.sensorLabel];
+  // MRPT's beams are symmetric about the sensor's axis, so an uneven fan turns the sensor.
+  obs.sensorPose = mrpt::poses::CPose3D(laser.place.robot_from_laser) +
+                   mrpt::poses::CPose3D(0, 0, 0, choice.fan->start_rad + span / 2, 0, 0);
+  if (laser.max_range_m == 0) return;
+  obs.maxRange = laser.max_range_m;
+  for (std::size_t i = 0; i < obs.getScanSize(); ++i)
+    obs.setScanRangeValidity(i, obs.getScanRange(i) < obs.maxRange);
+}
+
+void CarmenLasers::takeParam(const std::vector<std::string_view>& words, bool scans_began) {
+  using Place = CarmenParams::Place;
+  const Place place = !scans_began ? Place::header : surveyed_ ? Place::later : Place::among;
+  if (const auto remark = params_.take(words, place)) remarks_.push_back(*remark);
+}
+
+}  // namespace ariadne::io
