@@ -46,8 +46,7 @@ class Parser {
   void line(std::string_view raw, std::size_t number) {
     number_ = number;
     if (raw.size() > kMaxLine) fail("the line is longer than 64 KB: no configuration file");
-    if (raw.find('\0') != raw.npos)
-      fail("holds a NUL byte: a configuration is plain text");
+    if (raw.find('\0') != raw.npos) fail("holds a NUL byte: a configuration is plain text");
     const std::string_view text = trimmed(raw);
     if (text.empty() || text[0] == ';' || text[0] == '#' || text.substr(0, 2) == "//") return;
     if (text[0] == '[')
