@@ -194,6 +194,23 @@ TEST_F(Submit, WhatSbatchSaysIsTold) {
   EXPECT_FALSE(says("handed out;")) << out;
 }
 
+TEST_F(Submit, ASitesBannerIsNoAnswer) {
+  command("sbatch",
+          "printf 'Welcome to cluster9\\n2026-11-01: maintenance; be quick\\n12 nodes are down\\n"
+          "4711;cluster9\\n\\nYou have 1000 CPU hours left.\\n'");
+  ASSERT_EQ(submit({"--slices", "4"}), 0) << err;
+  EXPECT_TRUE(says("Slurm job 4711: 4 slices")) << out;
+  command("sacct", "printf 'WELCOME to us\\nAsk help@lab\\nCOMPLETED\\nCANCELLED by 7\\n'");
+  ASSERT_EQ(run({"status", results().string()}), 0) << err;
+  EXPECT_TRUE(says("; sacct: 1 CANCELLED, 1 COMPLETED\n")) << out;
+}
+
+TEST_F(Submit, AnAnswerWithoutANumberIsTold) {
+  command("sbatch", "echo 'Submitted for tonight'");
+  EXPECT_EQ(submit({"--slices", "4"}), 1);
+  EXPECT_TRUE(says("no job's number in \"Submitted for tonight")) << err;
+}
+
 TEST_F(Submit, GnuParallelDoesTheSlices) {
   if (ariadne::batch::findInPath("parallel").empty()) GTEST_SKIP() << "no GNU parallel";
   EXPECT_EQ(submit({"--engine", "parallel"}), 2);

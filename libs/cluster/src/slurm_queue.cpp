@@ -7,15 +7,51 @@
 
 #include "ariadne/cluster/called.h"
 #include "ariadne/core/error.h"
+#include "ariadne/core/names.h"
 
 namespace ariadne::cluster {
 namespace {
+
+/// Without blanks at their ends.
+std::vector<std::string> linesOf(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) {
+    const std::size_t first = line.find_first_not_of(" \t\r");
+    if (first != std::string::npos)
+      lines.push_back(line.substr(first, line.find_last_not_of(" \t\r") + 1 - first));
+  }
+  return lines;
+}
 
 std::vector<std::string> cellsOf(const std::string& line) {
   std::vector<std::string> cells;
   std::istringstream stream(line);
   for (std::string cell; std::getline(stream, cell, '|');) cells.push_back(cell);
   return cells;
+}
+
+bool isWord(const std::string& text, const char* letters) {
+  return !text.empty() && text.find_first_not_of(letters) == std::string::npos;
+}
+
+/// A line "17" or "17;cluster", the last such one. Sites write banners around it.
+std::string jobIn(const std::string& answer) {
+  std::string id;
+  for (const std::string& line : linesOf(answer)) {
+    const std::size_t end = line.find(';');
+    const bool names_cluster = end != std::string::npos;
+    if (names_cluster && line.find_first_of(" \t", end) != std::string::npos) continue;
+    if (isWord(line.substr(0, end), "0123456789")) id = line.substr(0, end);
+  }
+  return id;
+}
+
+/// The state of "COMPLETED" or "CANCELLED by 1000"; empty for a line of a site's banner.
+std::string stateIn(const std::string& line) {
+  const std::string state = line.substr(0, line.find(' '));
+  const bool is_state = isWord(state, "ABCDEFGHIJKLMNOPQRSTUVWXYZ_");
+  return is_state && (state == line || line.find(" by ") == state.size()) ? state : "";
 }
 
 std::string problemOf(const std::string& program, const Called& called) {
@@ -38,7 +74,10 @@ std::string submitToSlurm(const std::filesystem::path& script) {
         "sbatch refused {}: {}{}", script.string(), called.error,
         too_many ? " (--slices must be less than MaxArraySize of scontrol show config)" : ""));
   }
-  return called.out.substr(0, called.out.find_first_of(";\n"));  // "17" or "17;cluster"
+  if (auto id = jobIn(called.out); !id.empty()) return id;
+  throw core::Error(fmt::format(
+      "sbatch tells no job's number in \"{}\": whether {} is with Slurm, squeue says (status)",
+      core::printable(called.out), script.string()));
 }
 
 Queue askSqueue(const std::vector<std::string>& names) {
@@ -47,8 +86,7 @@ Queue askSqueue(const std::vector<std::string>& names) {
             "--format=%j|%F|%K|%T|%r"});
   Queue queue{problemOf("squeue", called), {}};
   if (!queue.problem.empty()) return queue;
-  std::istringstream lines(called.out);
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : linesOf(called.out)) {
     const auto cells = cellsOf(line);
     if (cells.size() < 4) continue;
     Task task{cells[0], cells[1], 0, cells[3], cells.size() > 4 ? cells[4] : ""};
@@ -63,10 +101,9 @@ Account askSacct(const std::string& id) {
   const Called called = call(
       {"sacct", "--noheader", "--parsable2", "--allocations", "--jobs=" + id, "--format=State"});
   Account account{problemOf("sacct", called), {}};
-  std::istringstream lines(account.problem.empty() ? called.out : "");
-  // "CANCELLED by 1000": the state is the first word.
-  for (std::string line; std::getline(lines, line);)
-    ++account.states[line.substr(0, line.find(' '))];
+  if (!account.problem.empty()) return account;
+  for (const std::string& line : linesOf(called.out))
+    if (const std::string state = stateIn(line); !state.empty()) ++account.states[state];
   return account;
 }
 

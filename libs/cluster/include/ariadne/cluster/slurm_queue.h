@@ -8,7 +8,7 @@
 namespace ariadne::cluster {
 
 /// Hands the script over. Returns the job's number. Throws core::UsageError when there is no
-/// sbatch, core::Error with what sbatch says.
+/// sbatch, core::Error with what sbatch says, also when no line of that is a job's number.
 std::string submitToSlurm(const std::filesystem::path& script);
 
 /// A task that Slurm has not done with: pending, running, completing, ...
