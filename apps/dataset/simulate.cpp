@@ -54,6 +54,12 @@ std::string summaryOf(const models::Trajectory& poses) {
                      poses.back().time_s);
 }
 
+sim::World worldOf(const SimulateArguments& args, std::ostream& err) {
+  sim::World world = sim::readWorld(args.world);
+  for (const std::string& note : world.notes) err << "ariadne-dataset: " << note << '\n';
+  return world;
+}
+
 fs::path beside(fs::path path, const char* ending) { return path += ending; }
 
 std::vector<std::string> recipe(const SimulateArguments& args) {
@@ -73,7 +79,7 @@ void simulate(const SimulateArguments& args, std::ostream& out, std::ostream& er
   for (const fs::path& file : {args.out, truth_file, marks_file})
     refuseToOverwrite(file, args.overwrite);
   const sim::SimParams params = paramsOf(args);
-  const sim::World world = sim::readWorld(args.world);
+  const sim::World world = worldOf(args, err);
   const auto seen = sim::observe(drive(args, world, params.drive, err), params.noise, args.seed);
 
   std::size_t next = 0;
@@ -91,7 +97,7 @@ void simulate(const SimulateArguments& args, std::ostream& out, std::ostream& er
 
 void drawWorld(const SimulateArguments& args, std::ostream& out, std::ostream& err) {
   refuseToOverwrite(args.out, args.overwrite);
-  const sim::World world = sim::readWorld(args.world);
+  const sim::World world = worldOf(args, err);
   models::Trajectory poses;
   if (world.start) poses = {{0, *world.start}};
   if (args.path.empty() && (args.laps || !args.settings.empty()))

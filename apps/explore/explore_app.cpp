@@ -61,8 +61,9 @@ int exploreWorld(const Options& options, ResolvedConfig resolved, std::ostream& 
     throw core::UsageError("no world: name one with --world, or in the INI as [world] file");
   config.run.out = std::filesystem::absolute(outputFolderOf(config)).lexically_normal().string();
   io::writeIni(config, "");  // throws now, not after the drive, for a name that no INI can hold
-  slam_app::warn(err, kName, resolved.warnings);
   const sim::World world = readWorldOf(config);
+  resolved.warnings.insert(resolved.warnings.end(), world.notes.begin(), world.notes.end());
+  slam_app::warn(err, kName, resolved.warnings);
   const mrpt::math::TPose2D start = startOf(config, world);
   mission::Mission mission(world, start, config.mission, config.run.threads);
   ExplorationResult result;

@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "ariadne/batch/content_hash.h"
 #include "ariadne/batch/plan.h"
 #include "ariadne/core/error.h"
 #include "stand_in.h"
@@ -75,6 +76,52 @@ TEST_F(Planning, DataCountByWhatTheyHold) {
   fs::remove(moved);
   EXPECT_NE(message().find("y.world: there is no such file"), std::string::npos) << message();
   EXPECT_NE(message().find("mrpt-common"), std::string::npos) << message();
+}
+
+TEST_F(Planning, ARosMapCountsWithItsPicture) {
+  writeExperiment("[seeds]\nlast = 1\n");
+  const fs::path map = folder / "my house.yaml";
+  io::writeWhole(folder / "arm.ini", "[world]\nfile = " + map.string() + "\n");
+  io::writeWhole(folder / "ground floor.pgm", std::string_view("a picture"));
+  io::writeWhole(map, std::string_view("image: ground floor.pgm\nresolution: 0.05\n"));
+  const auto before = keys();
+  EXPECT_EQ(keys(), before);
+  io::writeWhole(folder / "ground floor.pgm", std::string_view("another picture"));
+  EXPECT_NE(keys()[0], before[0]);
+}
+
+TEST_F(Planning, PicturesOfRosMapsAreHashedHoweverTheyAreNamed) {
+  const fs::path map = folder / "my house.yaml";
+  const fs::path picture = folder / "ground floor.pgm";
+  const auto hash = [&] { return batch::FileHashes().of(map); };
+  for (const char* yaml :
+       {"image: ground floor.pgm\r\nresolution: 0.05\r\n", "{image: ground floor.pgm}",
+        "\xef\xbb\xbfimage: \"ground floor.pgm\"", "# a map\nimage:\n  'ground floor.pgm'  # here",
+        "'image': ./ground floor.pgm"}) {
+    io::writeWhole(map, std::string_view(yaml));
+    io::writeWhole(picture, std::string_view("a picture"));
+    const std::string before = hash();
+    const std::string stamp = batch::stampOf(map);
+    EXPECT_EQ(hash(), before);
+    io::writeWhole(picture, std::string_view("b picture"));
+    EXPECT_NE(hash(), before) << yaml;
+    EXPECT_NE(batch::stampOf(map), stamp) << yaml;
+  }
+  // What is no map, or names no picture that is there, counts by itself.
+  for (const char* yaml : {"image: none.pgm", "a: [", "just: a file"}) {
+    io::writeWhole(map, std::string_view(yaml));
+    EXPECT_EQ(hash(), batch::hashOf(yaml)) << yaml;
+  }
+}
+
+TEST_F(Planning, ArgumentsMayHoldBlanks) {
+  writeExperiment(
+      "[arm.third]\nprogram = ./program.sh\nconfig = arm.ini\n"
+      "args = --set w=\"my house.yaml\" --set  x=1\n");
+  const auto x = batch::readExperiment(ini());
+  EXPECT_EQ(x.arms[2].args, (std::vector<std::string>{"--set", "w=my house.yaml", "--set", "x=1"}));
+  writeExperiment("[arm.third]\nprogram = ./program.sh\nconfig = arm.ini\nargs = -a \"b c\n");
+  EXPECT_NE(message().find("has no closing quote"), std::string::npos) << message();
 }
 
 TEST_F(Planning, ATypoInAnyArmFailsThePlan) {

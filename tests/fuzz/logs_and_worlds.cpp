@@ -50,10 +50,10 @@ void readRelations(const Path& file) {
 }
 
 void readWorld(const Path& file) { sim::readWorld(file); }
-/// Of a picture of 3 x 2 pixels beside it.
+/// Of a picture of 3 x 2 pixels beside it: occupied, unknown, free, twice.
 void readRosMap(const Path& file) {
   const Path picture = file.parent_path() / "map.pgm";
-  if (!std::filesystem::exists(picture)) std::ofstream(picture) << "P5\n3 2\n255\nabcdef";
+  if (!std::filesystem::exists(picture)) std::ofstream(picture) << std::string("P5\n3 2\n255\n\0\xcd\xfe\xfe\xcd\0", 17);
   sim::readWorld(file);
 }
 void readPicture(const Path& file) { sim::readWorldPicture(file, 0.05); }

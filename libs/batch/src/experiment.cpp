@@ -49,6 +49,26 @@ T named(const io::IniSection& section, const std::string& head) {
   return item;
 }
 
+/// Words between blanks; within "quotes" a blank is part of a word.
+std::vector<std::string> wordsOf(const IniEntry& e) {
+  std::vector<std::string> words;
+  bool in_word = false, in_quotes = false;
+  for (const char c : e.value) {
+    if (!in_quotes && (c == ' ' || c == '\t')) {
+      in_word = false;
+      continue;
+    }
+    if (!in_word) words.emplace_back();
+    in_word = true;
+    if (c == '"')
+      in_quotes = !in_quotes;
+    else
+      words.back() += c;
+  }
+  if (in_quotes) throw io::entryError(e, "has no closing quote, as in --world \"my house.yaml\"");
+  return words;
+}
+
 void setArm(Arm& arm, const IniEntry& e) {
   if (e.key == "program")
     arm.program = e.value;
@@ -59,7 +79,7 @@ void setArm(Arm& arm, const IniEntry& e) {
   else if (e.key == "truth")
     arm.truth = e.value;
   else if (e.key == "args")
-    arm.args = splitList(e.value, " \t");
+    arm.args = wordsOf(e);
   else if (e.key == "prefix")
     arm.prefix = e.value;
   else if (startsWith(e.key, "set.") && e.key.find('.', 4) != std::string::npos)

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "ariadne/core/error.h"
-#include "map_checks.h"
+#include "world_cells.h"
 
 namespace ariadne::sim {
 namespace {
@@ -29,6 +29,12 @@ class Bytes {
  private:
   mrpt::io::CFileGZInputStream file_;
 };
+
+void expectFewCells(double columns, double rows) {
+  if (!(columns >= 1 && rows >= 1 && columns * rows <= kMostCells))
+    throw core::Error(
+        fmt::format("it claims {} x {} cells; a world has 1 to {:.0e}", columns, rows, kMostCells));
+}
 
 /// 0x80 | length, name, version.
 void readHeader(Bytes& in) {

@@ -17,7 +17,6 @@ using mrpt::math::TPoint2D;
 
 constexpr double kMargin_m = 1;
 constexpr double kLongestSide_m = 500;
-constexpr double kMostCells = 1e8;
 
 struct Start {
   ScriptLine line;

@@ -23,6 +23,8 @@ Block rectangle(double x0, double y0, double x1, double y1, bool rock);
 /// A corridor's pieces, each half a width longer at both ends, so that they join squarely.
 std::vector<Block> corridorBlocks(double width_m, const std::vector<mrpt::math::TPoint2D>& line);
 
+constexpr double kMostCells = 1e8;  // of a world
+
 constexpr float kFree = 0.98F;
 constexpr float kRock = 0.02F;
 

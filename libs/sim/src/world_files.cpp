@@ -1,11 +1,14 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "ariadne/core/error.h"
+#include "ariadne/io/picture_file.h"
 #include "ariadne/sim/world.h"
+#include "floor_plan.h"
 #include "gridmap_file.h"
-#include "map_checks.h"
 #include "ros_map_file.h"
 #include "script_lines.h"
 #include "world_cells.h"
@@ -15,26 +18,23 @@ namespace {
 
 using Grid = mrpt::maps::COccupancyGridMap2D;
 
-// Brightness over which ROS map_server calls a pixel free by default (free_thresh 0.196).
+// Probability over which MRPT's cells are free, with the steps that they are kept in.
 constexpr float kFloor = 0.81F;
+// The darkest gray that ROS map_server calls free by default (free_thresh 0.196).
+constexpr std::ptrdiff_t kDarkestFloor = 206;
 
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& why) {
   throw core::Error(fmt::format("{}: {}", path.string(), why));
 }
 
-/// Runs a loader of MRPT's, which throw or say false.
-template <class Load>
-void load(const std::filesystem::path& path, const char* what, Load&& f) {
+Grid gridmapOf(const std::filesystem::path& path) {
   expectReadable(path);
-  bool fine = false;
-  std::string why;
   try {
-    fine = f();
+    return readGridmap(path);
   } catch (const std::exception& e) {
-    why = std::string(": ") + e.what();
-    why = why.substr(0, why.find('\n'));
+    const std::string why = e.what();
+    fail(path, "cannot be read as an MRPT gridmap: " + why.substr(0, why.find('\n')));
   }
-  if (!fine) fail(path, fmt::format("cannot be read as {}{}", what, why));
 }
 
 World worldOf(const std::filesystem::path& path, Grid map) {
@@ -64,21 +64,14 @@ bool endsWith(const std::string& text, const std::string& end) {
 
 World readWorld(const std::filesystem::path& path) {
   const std::string name = path.filename().string();
-  Grid map;
   if (endsWith(name, ".yaml") || endsWith(name, ".yml")) {
-    load(path, "a map of ROS map_server", [&] {
-      map = readRosMap(path);
-      return true;
-    });
-    return worldOf(path, std::move(map));
+    std::vector<std::string> notes;
+    World world = worldOf(path, readRosMap(path, notes));
+    for (const std::string& note : notes) world.notes.push_back(path.string() + ": " + note);
+    return world;
   }
-  if (endsWith(name, ".gridmap") || endsWith(name, ".gridmap.gz")) {
-    load(path, "an MRPT gridmap", [&] {
-      map = readGridmap(path);
-      return true;
-    });
-    return worldOf(path, std::move(map));
-  }
+  if (endsWith(name, ".gridmap") || endsWith(name, ".gridmap.gz"))
+    return worldOf(path, gridmapOf(path));
   for (const char* picture : {".png", ".pgm", ".bmp", ".jpg"})
     if (endsWith(name, picture))
       fail(path, "a picture does not say how large its pixels are: give world_resolution_m");
@@ -89,12 +82,10 @@ World readWorldPicture(const std::filesystem::path& path, double resolution_m) {
   if (!(resolution_m >= 0.01 && resolution_m <= 0.5))
     throw core::UsageError(
         fmt::format("a picture's resolution is {} m; it takes 0.01 to 0.5", resolution_m));
-  Grid map;
-  load(path, "a picture", [&] {
-    expectPictureCells(path);
-    return map.loadFromBitmapFile(path.string(), static_cast<float>(resolution_m), {0, 0});
-  });
-  return worldOf(path, std::move(map));
+  std::array<bool, 256> floor{};
+  std::fill(floor.begin() + kDarkestFloor, floor.end(), true);
+  return worldOf(
+      path, placedGrid(FloorPlan(io::readPicture(path), floor), resolution_m, {}, path.string()));
 }
 
 }  // namespace ariadne::sim

@@ -19,6 +19,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ariadne::sim {
 
@@ -28,6 +29,8 @@ struct World {
   mrpt::maps::COccupancyGridMap2D bodies;  ///< the same with glass as rock: what the robot touches
   /// m, rad, frame of the map; none in a map that names no start
   std::optional<mrpt::math::TPose2D> start;
+  /// What its user should be told of how the file was read, each a sentence with the file's name.
+  std::vector<std::string> notes;
 };
 
 /// Throws core::Error naming file and line and saying what would be right: an unknown command,
@@ -35,13 +38,15 @@ struct World {
 /// of more than 500 x 500 m or 1e8 cells.
 World parseWorld(std::string_view text, const std::string& name);
 
-/// A world from a file, by the ending of its name: .yaml of ROS map_server, MRPT's .gridmap or
-/// .gridmap.gz, else the text above. What a map does not know is rock. Throws core::Error naming
-/// the file and why it cannot be used; a map of no free cell too.
+/// A world from a file, by the ending of its name: .yaml of ROS map_server or nav2, MRPT's .gridmap
+/// or .gridmap.gz, else the text above. What a map does not know is rock. A ROS map lies where its
+/// origin says, turned by its yaw: poses are those of ROS's frame `map`, to half a cell. Throws
+/// core::Error naming the file and why it cannot be used; a map of no free cell too.
 World readWorld(const std::filesystem::path& path);
 
-/// A world from a picture (.png, .pgm, .bmp): a pixel brighter than 0.65 of full white is floor.
-/// Throws as readWorld() does, and core::UsageError for a resolution out of 0.01 to 0.5 m.
+/// A world from a picture (.png, .pgm, .bmp): a pixel is floor that is opaque and brighter than
+/// 0.804 of full white, ROS's bound by default. Throws as readWorld() does, and core::UsageError
+/// for a resolution out of 0.01 to 0.5 m.
 World readWorldPicture(const std::filesystem::path& path, double resolution_m);
 
 /// A place to start where the world names none: the robot's disc, with a hand's breadth around it,

@@ -1,4 +1,4 @@
-#include "map_checks.h"
+#include "picture_size.h"
 
 #include <fmt/format.h>
 
@@ -6,13 +6,15 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "ariadne/core/error.h"
 
-namespace ariadne::sim {
+namespace ariadne::io {
 namespace {
 
-constexpr double kMostCells = 1e8;
+constexpr double kMostPixels = 1e8;
+constexpr std::size_t kHead = 1 << 16;  // a JPEG's frame stands behind comments and thumbnails
 // Deflate makes at best 1032 bytes of one, and a byte holds eight pixels at most.
 constexpr double kMostPixelsOfAByte = 8 * 1032;
 
@@ -27,14 +29,20 @@ double bigEndian(const std::string& bytes, std::size_t at, std::size_t count) {
   return value;
 }
 
-/// Behind its letters a PGM says width and height in words, between comments.
-std::optional<Size> sizeOfPgm(const std::string& bytes) {
+/// Behind its letters a PGM or PPM says width, height and its brightest value in words, between
+/// comments; a PBM (1 and 4) has no such value.
+std::optional<Size> sizeOfPnm(const std::string& bytes) {
   std::istringstream in(bytes.substr(2));
   Size size;
-  for (double* number : {&size.columns, &size.rows}) {
+  double brightest = 255;
+  std::vector<double*> numbers{&size.columns, &size.rows};
+  if (bytes[1] != '1' && bytes[1] != '4') numbers.push_back(&brightest);
+  for (double* number : numbers) {
     while ((in >> std::ws).peek() == '#') in.ignore(1 << 20, '\n');
     if (!(in >> *number)) return std::nullopt;
   }
+  if (brightest != 255 && brightest != 65535)  // OpenCV leaves values of others as they are
+    throw core::Error(fmt::format("its brightest value is {}; takes 255 or 65535", brightest));
   return size;
 }
 
@@ -62,26 +70,29 @@ std::optional<Size> sizeOfPicture(const std::string& bytes) {
     return Size{bigEndian(bytes, 16, 4), bigEndian(bytes, 20, 4)};
   if (begins("BM") && bytes.size() >= 26) return Size{sideOfBmp(bytes, 18), sideOfBmp(bytes, 22)};
   if (begins("\xff\xd8")) return sizeOfJpeg(bytes);
-  if (begins("P2") || begins("P5")) return sizeOfPgm(bytes);
+  if (bytes.size() > 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6')
+    return sizeOfPnm(bytes);
   return std::nullopt;
+}
+
+std::string headOf(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string head(kHead, '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  return head;
 }
 
 }  // namespace
 
-void expectFewCells(double columns, double rows) {
-  if (!(columns >= 1 && rows >= 1 && columns * rows <= kMostCells))
-    throw core::Error(
-        fmt::format("it claims {} x {} cells; a world has 1 to {:.0e}", columns, rows, kMostCells));
-}
+bool isPng(const std::filesystem::path& path) { return headOf(path).rfind("\x89PNG", 0) == 0; }
 
-void expectPictureCells(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string head(1 << 16, '\0');
-  file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(file.gcount()));
-  const auto size = sizeOfPicture(head);
-  if (!size) return;
-  expectFewCells(size->columns, size->rows);
+void expectPictureSize(const std::filesystem::path& path) {
+  const auto size = sizeOfPicture(headOf(path));
+  if (!size) throw core::Error("it is no PNG, PGM, PBM, PPM, BMP or JPEG");
+  if (!(size->columns >= 1 && size->rows >= 1 && size->columns * size->rows <= kMostPixels))
+    throw core::Error(fmt::format("it claims {} x {} pixels; a map has 1 to {:.0e}", size->columns,
+                                  size->rows, kMostPixels));
   std::error_code ignored;
   const auto bytes = static_cast<double>(std::filesystem::file_size(path, ignored));
   if (size->columns * size->rows > kMostPixelsOfAByte * bytes)
@@ -89,4 +100,4 @@ void expectPictureCells(const std::filesystem::path& path) {
         fmt::format("it claims {} x {} pixels in {} bytes", size->columns, size->rows, bytes));
 }
 
-}  // namespace ariadne::sim
+}  // namespace ariadne::io
