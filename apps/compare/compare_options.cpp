@@ -1,9 +1,9 @@
 #include "compare_options.h"
 
-#include <CLI/CLI.hpp>
 #include <ostream>
 
 #include "ariadne/core/error.h"
+#include "command_line.h"
 
 namespace ariadne::compare_app {
 namespace {
@@ -34,7 +34,6 @@ constexpr const char* kFooter =
 
 void declare(CLI::App& app, Options& o) {
   app.footer(kFooter);
-  app.set_version_flag("--version", ARIADNE_VERSION);
   app.add_option("CONFIG", o.config_file, "INI of ariadne-slam or of rbpf-slam");
   app.add_option("DATASET", o.dataset, "log to map; default: the one the INI names");
   app.add_option("--repeats", o.repeats, "runs of each program")
@@ -79,14 +78,7 @@ std::optional<Options> parseOptions(const std::vector<std::string>& args, std::o
   CLI::App app(kAbout, "ariadne-compare");
   Options options;
   declare(app, options);
-  try {
-    app.parse(std::vector<std::string>(args.rbegin(), args.rend()));
-  } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() != 0)
-      throw core::UsageError(std::string(e.what()) + " (see ariadne-compare --help)");
-    app.exit(e, out, out);
-    return std::nullopt;
-  }
+  if (!ariadne::app::parseCommandLine(app, args, out)) return std::nullopt;
   if (options.config_file.empty())
     throw core::UsageError("which CONFIG? For one, ini/slam/sena.ini (see ariadne-compare --help)");
   return options;

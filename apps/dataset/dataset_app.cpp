@@ -1,10 +1,10 @@
 #include "dataset_app.h"
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <ostream>
 
 #include "ariadne/core/error.h"
+#include "command_line.h"
 #include "commands.h"
 #include "simulate_options.h"
 
@@ -43,7 +43,6 @@ class CommandLine {
  public:
   CommandLine() : app_(kAbout, "ariadne-dataset") {
     app_.footer(kExamples);
-    app_.set_version_flag("--version", ARIADNE_VERSION);
     app_.require_subcommand(1);
     CLI::App* info = add("info", "What is in a log, and whether it can be mapped", showInfo);
     info->add_flag("--json", args_.json, "as JSON");
@@ -80,12 +79,7 @@ class CommandLine {
   }
 
   int run(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
-    try {
-      app_.parse(std::vector<std::string>(args.rbegin(), args.rend()));
-    } catch (const CLI::ParseError& e) {
-      if (e.get_exit_code() == 0) return app_.exit(e, out, err);
-      throw core::UsageError(std::string(e.what()) + " (see --help)");
-    }
+    if (!app::parseCommandLine(app_, args, out)) return 0;
     command_(out, err);
     out.flush();
     if (!out) throw core::Error("cannot write to the standard output");

@@ -49,7 +49,6 @@ double lengthOf(const models::Trajectory& poses) {
 }
 
 std::string summaryOf(const models::Trajectory& poses) {
-  if (poses.empty()) return "no start";
   return fmt::format("{} scans, {:.1f} m, {:.1f} s", poses.size(), lengthOf(poses),
                      poses.back().time_s);
 }
@@ -58,6 +57,22 @@ sim::World worldOf(const SimulateArguments& args, std::ostream& err) {
   sim::World world = sim::readWorld(args.world);
   for (const std::string& note : world.notes) err << "ariadne-dataset: " << note << '\n';
   return world;
+}
+
+/// Size and floor, and where a robot starts.
+std::string summaryOf(const sim::World& world) {
+  const auto& map = world.map;
+  std::size_t floor = 0;
+  for (int y = 0; y < static_cast<int>(map.getSizeY()); ++y)
+    for (int x = 0; x < static_cast<int>(map.getSizeX()); ++x) floor += map.getCell(x, y) > 0.5F;
+  const double cell = map.getResolution();
+  return fmt::format("{:.1f} x {:.1f} m in cells of {:.3g} m, {:.1f} m2 of floor; {}",
+                     map.getXMax() - map.getXMin(), map.getYMax() - map.getYMin(), cell,
+                     static_cast<double>(floor) * cell * cell,
+                     world.start
+                         ? fmt::format("start at {:.2f}, {:.2f}, {:.0f} degrees", world.start->x,
+                                       world.start->y, world.start->phi * 180 / M_PI)
+                         : "it names no start");
 }
 
 fs::path beside(fs::path path, const char* ending) { return path += ending; }
@@ -102,9 +117,13 @@ void drawWorld(const SimulateArguments& args, std::ostream& out, std::ostream& e
   if (world.start) poses = {{0, *world.start}};
   if (args.path.empty() && (args.laps || !args.settings.empty()))
     throw core::UsageError("--laps and --set are for a drive: --path names it");
-  if (!args.path.empty()) poses = drive(args, world, paramsOf(args).drive, err).poses;
+  std::string summary = summaryOf(world);
+  if (!args.path.empty()) {
+    poses = drive(args, world, paramsOf(args).drive, err).poses;
+    summary += "; driven: " + summaryOf(poses);
+  }
   report::writeOverview(args.out, world.map, poses);
-  out << fmt::format("{}; wrote {}\n", summaryOf(poses), args.out.string());
+  out << fmt::format("{}; wrote {}\n", summary, args.out.string());
 }
 
 std::string simulationKeys() {

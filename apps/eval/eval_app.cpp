@@ -1,9 +1,9 @@
 #include "eval_app.h"
 
-#include <CLI/CLI.hpp>
 #include <ostream>
 
 #include "ariadne/core/error.h"
+#include "command_line.h"
 #include "error_plot.h"
 #include "evaluation.h"
 #include "plan_command.h"
@@ -27,10 +27,8 @@ constexpr const char* kExamples =
     "--help)\n"
     "Exit code: 0 fine, 1 the run failed, 2 wrong use.";
 
-eval_app::Arguments parse(CLI::App& app, const std::vector<std::string>& args) {
-  eval_app::Arguments a;
+void declare(CLI::App& app, eval_app::Arguments& a) {
   app.footer(kExamples);
-  app.set_version_flag("--version", ARIADNE_VERSION);
   app.add_option("ESTIMATE", a.estimate, "trajectory, TUM format")->required();
   app.add_option("TRUTH", a.truth, "true trajectory, TUM format");
   app.add_option("--relations", a.relations, "verified relations, .gz or not");
@@ -45,26 +43,24 @@ eval_app::Arguments parse(CLI::App& app, const std::vector<std::string>& args) {
       ->check(CLI::Range(1e-3, 1e6));
   app.add_flag("--json", a.json, "as JSON");
   app.add_flag("-w,--overwrite", a.overwrite, "replace the plot if it is there");
-  app.parse(std::vector<std::string>(args.rbegin(), args.rend()));
+}
+
+void check(const eval_app::Arguments& a) {
   if (a.truth.empty() && a.relations.empty())
     throw core::UsageError("name a true trajectory or --relations to compare with (see --help)");
   if (!a.plot.empty() && a.truth.empty()) throw core::UsageError("--plot needs a true trajectory");
   if (!a.plot.empty()) eval_app::checkPlotFile(a.plot, a.overwrite);
-  return a;
 }
 
-int run(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
+int run(const std::vector<std::string>& args, std::ostream& out) {
   // No CLI subcommand: it would take over the options and required files of the program itself.
   if (!args.empty() && args.front() == "plan")
-    return eval_app::runPlan({args.begin() + 1, args.end()}, out, err);
+    return eval_app::runPlan({args.begin() + 1, args.end()}, out);
   CLI::App app(kAbout, "ariadne-eval");
   eval_app::Arguments a;
-  try {
-    a = parse(app, args);
-  } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) return app.exit(e, out, err);
-    throw core::UsageError(std::string(e.what()) + " (see --help)");
-  }
+  declare(app, a);
+  if (!app::parseCommandLine(app, args, out)) return 0;
+  check(a);
   const auto evaluation = eval_app::evaluate(a);
   if (a.json)
     eval_app::printJson(evaluation, out);
@@ -87,7 +83,7 @@ int runEvalApp(const std::vector<std::string>& args, std::ostream& out, std::ost
     return code;
   };
   try {
-    return run(args, out, err);
+    return run(args, out);
   } catch (const core::UsageError& e) {
     return fail(e.what(), 2);
   } catch (const std::exception& e) {

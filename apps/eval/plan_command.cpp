@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
 
 #include "ariadne/core/error.h"
 #include "ariadne/eval/plan.h"
+#include "command_line.h"
 
 namespace ariadne::eval_app {
 namespace {
@@ -33,7 +33,7 @@ struct Arguments {
   bool json = false;
 };
 
-void parse(CLI::App& app, Arguments& a, const std::vector<std::string>& args) {
+void declare(CLI::App& app, Arguments& a) {
   app.footer(kExamples);
   app.add_option("RATE1", a.p1, "success rate of the first arm, 0 to 1")->required();
   app.add_option("RATE2", a.p2, "of the second")->required();
@@ -46,7 +46,9 @@ void parse(CLI::App& app, Arguments& a, const std::vector<std::string>& args) {
                  "a pair were independent, RATE1 (1 - RATE2)")
       ->needs(paired);
   app.add_flag("--json", a.json, "as JSON");
-  app.parse(std::vector<std::string>(args.rbegin(), args.rend()));
+}
+
+void check(const Arguments& a) {
   for (const double p : {a.p1, a.p2})
     if (!(p >= 0 && p <= 1))
       throw core::UsageError(fmt::format("a rate of {} is not in [0, 1]", p));
@@ -77,15 +79,12 @@ std::string powerText(const eval::Plan& plan) {
 
 }  // namespace
 
-int runPlan(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
+int runPlan(const std::vector<std::string>& args, std::ostream& out) {
   CLI::App app(kAbout, "ariadne-eval plan");
   Arguments a;
-  try {
-    parse(app, a, args);
-  } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) return app.exit(e, out, err);
-    throw core::UsageError(std::string(e.what()) + " (see ariadne-eval plan --help)");
-  }
+  declare(app, a);
+  if (!app::parseCommandLine(app, args, out)) return 0;
+  check(a);
   const Discordant d = discordantOf(a);
   const eval::Plan plan = a.paired ? eval::planPaired(d.first, d.second, a.goal)
                                    : eval::planUnpaired(a.p1, a.p2, a.goal);

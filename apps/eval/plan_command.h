@@ -8,6 +8,6 @@ namespace ariadne::eval_app {
 
 /// `args` behind the word plan. Prints the runs an arm, or pairs, for two rates to be told apart.
 /// @return exit code. Throws core::UsageError.
-int runPlan(const std::vector<std::string>& args, std::ostream& out, std::ostream& err);
+int runPlan(const std::vector<std::string>& args, std::ostream& out);
 
 }  // namespace ariadne::eval_app

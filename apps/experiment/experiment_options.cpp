@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "ariadne/core/error.h"
+#include "command_line.h"
 #include "named_choice.h"
 #include "submit_options.h"
 
@@ -79,7 +80,6 @@ std::optional<Options> parseOptions(const std::vector<std::string>& args, std::o
   CLI::App app(kAbout, "ariadne-experiment");
   app.require_subcommand(1);
   app.footer(kFooter);
-  app.set_version_flag("--version", ARIADNE_VERSION);
   CLI::App* run =
       app.add_subcommand("run", "Do all runs that have no result yet; table, plots and page");
   run->add_option("EXPERIMENT", o.ini, "INI of the experiment")->required();
@@ -120,14 +120,7 @@ std::optional<Options> parseOptions(const std::vector<std::string>& args, std::o
   CLI::App* collect =
       app.add_subcommand("collect", "Tables, plots and page of what submit handed out");
   collect->add_option("FOLDER", o.folder, "results folder")->required();
-  try {
-    app.parse(std::vector<std::string>(args.rbegin(), args.rend()));
-  } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() != 0)
-      throw core::UsageError(std::string(e.what()) + " (see ariadne-experiment --help)");
-    app.exit(e, out, out);
-    return std::nullopt;
-  }
+  if (!ariadne::app::parseCommandLine(app, args, out)) return std::nullopt;
   readSlice(slice, o);
   o.command = *run       ? Command::run
               : *work    ? Command::work

@@ -6,6 +6,8 @@
 
 #include "ariadne/core/error.h"
 #include "ariadne/core/names.h"
+#include "ariadne/io/ini_text.h"
+#include "ini_program.h"
 
 namespace ariadne::experiment_app {
 
@@ -39,6 +41,7 @@ void keepOnly(batch::Experiment& experiment, const std::string& where) {
 }  // namespace
 
 batch::Plan planFor(const Options& o) {
+  app::expectIniOf("ariadne-experiment", o.ini, io::readIniText(o.ini));
   batch::Experiment experiment = batch::readExperiment(o.ini);
   if (o.first) experiment.first_seed = *o.first;
   if (o.last) experiment.last_seed = *o.last;

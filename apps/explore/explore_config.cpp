@@ -61,7 +61,9 @@ ResolvedConfig resolveConfig(const Options& options) {
   ResolvedConfig resolved;
   ExploreConfig& config = resolved.config;
   const fs::path file = options.config_file;
-  io::applyIni(config, io::parseIni(io::readIniText(file), file.string(), io::IniDialect::strict));
+  const std::string text = io::readIniText(file);
+  app::expectIniOf("ariadne-explore", file, text);
+  io::applyIni(config, io::parseIni(text, file.string(), io::IniDialect::strict));
   std::string& world = config.world.file;
   if (!world.empty()) world = (file.parent_path() / world).string();
   for (const std::string& setting : options.settings)

@@ -1,9 +1,9 @@
 #include "explore_options.h"
 
-#include <CLI/CLI.hpp>
 #include <ostream>
 
 #include "ariadne/core/error.h"
+#include "command_line.h"
 
 namespace ariadne::explore_app {
 namespace {
@@ -30,7 +30,6 @@ constexpr const char* kFooter =
 
 void declare(CLI::App& app, Options& o) {
   app.footer(kFooter);
-  app.set_version_flag("--version", ARIADNE_VERSION);
   app.add_option("CONFIG", o.config_file, "INI file");
   app.add_option("--world", o.world, "world to explore; default: the one the INI names");
   app.add_option("--start", o.start,
@@ -58,14 +57,7 @@ std::optional<Options> parseOptions(const std::vector<std::string>& args, std::o
   CLI::App app(kAbout, "ariadne-explore");
   Options options;
   declare(app, options);
-  try {
-    app.parse(std::vector<std::string>(args.rbegin(), args.rend()));
-  } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() != 0)
-      throw core::UsageError(std::string(e.what()) + " (see ariadne-explore --help)");
-    app.exit(e, out, out);
-    return std::nullopt;
-  }
+  if (!ariadne::app::parseCommandLine(app, args, out)) return std::nullopt;
   if (options.config_file.empty() && !options.print_parameters)
     throw core::UsageError(
         "which CONFIG? For one, ini/explore/nested.ini (see ariadne-explore --help)");

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
-#include <CLI/CLI.hpp>
-#include <algorithm>
 #include <optional>
 #include <ostream>
 
@@ -15,6 +13,8 @@
 #include "ariadne/io/ini_fields.h"
 #include "ariadne/io/ini_text.h"
 #include "ariadne/io/ini_writer.h"
+#include "command_line.h"
+#include "ini_program.h"
 #include "neff_chart.h"
 #include "neff_log.h"
 #include "run_command.h"
@@ -54,7 +54,9 @@ struct Arguments {
 
 experiment::LoopConfig configOf(const Arguments& args) {
   experiment::LoopConfig config;
-  io::applyIni(config, io::parseIni(io::readIniText(args.ini), args.ini, io::IniDialect::strict));
+  const std::string text = io::readIniText(args.ini);
+  app::expectIniOf("ariadne-loop-experiment", args.ini, text);
+  io::applyIni(config, io::parseIni(text, args.ini, io::IniDialect::strict));
   const fs::path folder = fs::path(args.ini).parent_path();
   for (std::string* file : {&config.files.world, &config.files.path})
     if (!file->empty()) *file = (folder / *file).string();
@@ -82,7 +84,7 @@ void printTable(const Arguments& args, std::ostream& out) {
   out << experiment::loopTable(rows);
 }
 
-int run(std::vector<std::string> args, std::ostream& out, std::ostream& err) {
+int run(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
   CLI::App app(
       "The nested-loop experiment of the paper: every seed is one simulated drive, mapped "
       "with recovery of particle diversity and without.",
@@ -118,13 +120,7 @@ int run(std::vector<std::string> args, std::ostream& out, std::ostream& err) {
       ->required();
   log->add_option("--revisit", a.revisit, "steps.csv of the same drive with revisit weights")
       ->required();
-  try {
-    std::reverse(args.begin(), args.end());
-    app.parse(args);
-  } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) return app.exit(e, out, err);
-    throw core::UsageError(std::string(e.what()) + " (see --help)");
-  }
+  if (!ariadne::app::parseCommandLine(app, args, out)) return 0;
   if (*run && a.print_config)
     out << io::writeIni(configOf(a), "Configuration of ariadne-loop-experiment.");
   else if (*run && a.rows.empty())

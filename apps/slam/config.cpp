@@ -5,6 +5,7 @@
 #include "ariadne/io/ini_fields.h"
 #include "ariadne/io/ini_text.h"
 #include "ariadne/io/stock_ini.h"
+#include "ini_program.h"
 
 namespace ariadne::slam_app {
 namespace {
@@ -22,6 +23,7 @@ ResolvedConfig fromStock(const std::string& text, const fs::path& file) {
 }
 
 ResolvedConfig fromOwn(const std::string& text, const fs::path& file) {
+  app::expectIniOf("ariadne-slam", file, text);
   ResolvedConfig out;
   io::applyIni(out.config, io::parseIni(text, file.string(), io::IniDialect::strict));
   std::string& dataset = out.config.dataset.file;

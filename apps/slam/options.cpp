@@ -1,9 +1,9 @@
 #include "options.h"
 
-#include <CLI/CLI.hpp>
 #include <ostream>
 
 #include "ariadne/core/error.h"
+#include "command_line.h"
 
 namespace ariadne::slam_app {
 namespace {
@@ -28,7 +28,6 @@ constexpr const char* kFooter =
 
 void declare(CLI::App& app, Options& o) {
   app.footer(kFooter);
-  app.set_version_flag("--version", ARIADNE_VERSION);
   app.add_option("CONFIG", o.config_file, "INI file");
   app.add_option("DATASET", o.dataset, "log to map; default: the one the INI names");
   app.add_option("--set", o.settings, "section.key=value; may be given again and again")
@@ -55,14 +54,7 @@ std::optional<Options> parseOptions(const std::vector<std::string>& args, std::o
   CLI::App app(kAbout, "ariadne-slam");
   Options options;
   declare(app, options);
-  try {
-    app.parse(std::vector<std::string>(args.rbegin(), args.rend()));
-  } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() != 0)
-      throw core::UsageError(std::string(e.what()) + " (see ariadne-slam --help)");
-    app.exit(e, out, out);
-    return std::nullopt;
-  }
+  if (!ariadne::app::parseCommandLine(app, args, out)) return std::nullopt;
   if (options.config_file.empty() && !options.print_parameters)
     throw core::UsageError("which CONFIG? For one, ini/slam/carmen.ini (see ariadne-slam --help)");
   return options;

@@ -4,11 +4,13 @@
 #include <mrpt/config/CConfigFileMemory.h>
 #include <mrpt/random.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
+#include <iostream>
 #include <optional>
 
+#include "ariadne/core/error.h"
 #include "ariadne/io/whole_file.h"
+#include "command_line.h"
 #include "stock_mapping.h"
 #include "stock_outputs.h"
 
@@ -26,8 +28,7 @@ struct Options {
   int seed = -1;
 };
 
-Options parse(CLI::App& app, int argc, char** argv) {
-  Options o;
+void declare(CLI::App& app, Options& o) {
   app.add_option("CONFIG", o.config, "INI of rbpf-slam")->required();
   app.add_option("RAWLOG", o.rawlog, "rawlog of actions and frames")->required();
   app.add_option("--trajectory", o.files.trajectory, "TUM file: mean pose at every scan");
@@ -37,8 +38,6 @@ Options parse(CLI::App& app, int argc, char** argv) {
   app.add_option("--particles", o.particles, "instead of sampleSize");
   app.add_option("--pf-algorithm", o.algorithm, "instead of PF_algorithm");
   app.add_option("--seed", o.seed, "instead of RANDOM_SEED; negative: by the clock");
-  app.parse(argc, argv);
-  return o;
 }
 
 slam::CMetricMapBuilderRBPF::TConstructionOptions builderOptions(const Options& o, int& seed) {
@@ -56,9 +55,12 @@ slam::CMetricMapBuilderRBPF::TConstructionOptions builderOptions(const Options& 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("MRPT's CMetricMapBuilderRBPF on a rawlog, headless; for benchmarks.");
+  CLI::App app("MRPT's CMetricMapBuilderRBPF on a rawlog, headless; for benchmarks.",
+               "ariadne-stock-rbpf");
   try {
-    const Options o = parse(app, argc, argv);
+    Options o;
+    declare(app, o);
+    if (!ariadne::app::parseCommandLine(app, {argv + 1, argv + argc}, std::cout)) return 0;
     int seed = -1;
     slam::CMetricMapBuilderRBPF builder(builderOptions(o, seed));
     if (seed >= 0)
@@ -69,8 +71,9 @@ int main(int argc, char** argv) {
     ariadne::stock_app::printCosts(run, builder);
     ariadne::stock_app::writeOutputs(o.files, run, builder);
     return 0;
-  } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : 2;
+  } catch (const ariadne::core::UsageError& e) {
+    std::fprintf(stderr, "ariadne-stock-rbpf: %s\n", e.what());
+    return 2;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "ariadne-stock-rbpf: %s\n", e.what());
     return 1;
