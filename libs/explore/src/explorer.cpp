@@ -44,7 +44,8 @@ VelocityCommand Explorer::step(const Belief& belief) {
   }
   before_ = pose;
   if (travelled_m_ >= params_.max_distance_m) end(belief, "max_distance_m is driven");
-  if (belief.time_s >= params_.max_time_s) end(belief, "max_time_s is over");
+  if (!started_s_) started_s_ = belief.time_s;
+  if (belief.time_s - *started_s_ >= params_.max_time_s) end(belief, "max_time_s is over");
   if (belief.touched && mode_ != Mode::backing_off) touch(belief);
   const VelocityCommand command = act(belief);
   updates_ = belief.mapper.updates();

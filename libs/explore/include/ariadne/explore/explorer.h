@@ -15,7 +15,7 @@ namespace ariadne::explore {
 
 /// What the robot knows after a scan.
 struct Belief {
-  double time_s = 0;
+  double time_s = 0;                               ///< of the scan, from any moment on
   const slam::Mapper& mapper;                      ///< has processed the scan
   const mrpt::obs::CObservation2DRangeScan& scan;  ///< the latest
   bool touched = false;                            ///< the bumper's word since the last scan
@@ -87,6 +87,7 @@ class Explorer {
   std::size_t followed_ = 0;                   // the closing that loop_route_ is of
   std::size_t loop_name_ = 0;                  // that the robot drives to or follows
   std::optional<mrpt::math::TPose2D> before_;  // pose at the last step
+  std::optional<double> started_s_;            // time of the first scan
   double travelled_m_ = 0;
   double turned_ = 0;  // rad, in the present look around
   double mode_since_s_ = 0;

@@ -59,7 +59,7 @@ void visitFields(V& v, ExploreParams& p) {
   v.number("max_laps", p.max_laps, {0.1, 1000},
            "a loop is left after so many times its length, whatever the stopping rule says");
   v.number("max_distance_m", p.max_distance_m, {1, 1e6}, "exploration ends after so much way");
-  v.number("max_time_s", p.max_time_s, {1, 1e7}, "or after so much time");
+  v.number("max_time_s", p.max_time_s, {1, 1e7}, "or after so many seconds since the first scan");
   v.flag("drive_home", p.drive_home, "drive back to the start when nothing is left to explore");
 }
 
