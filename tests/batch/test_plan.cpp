@@ -1,5 +1,7 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <cstdlib>
 #include <set>
 
 #include "ariadne/batch/content_hash.h"
@@ -112,6 +114,19 @@ TEST_F(Planning, PicturesOfRosMapsAreHashedHoweverTheyAreNamed) {
     io::writeWhole(map, std::string_view(yaml));
     EXPECT_EQ(hash(), batch::hashOf(yaml)) << yaml;
   }
+}
+
+TEST_F(Planning, WhatProgramsPrintLiesWhereOthersCannotPutALink) {
+  const fs::path tmp = folder / "tmp";
+  fs::create_directories(tmp);
+  io::writeWhole(folder / "victim", std::string_view("precious"));
+  fs::create_symlink(folder / "victim", tmp / fmt::format("ariadne-config-{}.ini", ::getpid()));
+  ::setenv("TMPDIR", tmp.c_str(), 1);
+  const auto all = keys();
+  ::unsetenv("TMPDIR");
+  EXPECT_EQ(all.size(), 20U);
+  EXPECT_EQ(io::readWhole(folder / "victim"), "precious");
+  EXPECT_EQ(std::distance(fs::directory_iterator(tmp), {}), 1) << "nothing of ours is left";
 }
 
 TEST_F(Planning, ArgumentsMayHoldBlanks) {

@@ -1,5 +1,8 @@
 // The batch script and what may be said about it.
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
 
 #include "../io/temporary_folder.h"
 #include "ariadne/cluster/called.h"
@@ -105,4 +108,16 @@ TEST(Called, TellsWhatIsMissingFailsOrHangs) {
   EXPECT_EQ(failed.error, "b");
   EXPECT_EQ(cluster::call({"sh", "-c", "exit 3"}).error, "exit code 3");
   EXPECT_TRUE(has(cluster::call({"sleep", "100"}, 0.2).error, "no answer"));
+}
+
+TEST_F(SlurmScriptRun, WhatACalledProgramPrintsLiesWhereOthersCannotPutALink) {
+  fs::create_directories(folder / "tmp");
+  io::writeWhole(folder / "victim", std::string_view("precious"));
+  fs::create_symlink(folder / "victim",
+                     folder / "tmp" / ("ariadne-called-" + std::to_string(::getpid())));
+  ::setenv("TMPDIR", (folder / "tmp").c_str(), 1);
+  const auto called = cluster::call({"sh", "-c", "echo a"});
+  ::unsetenv("TMPDIR");
+  EXPECT_EQ(called.out, "a\n");
+  EXPECT_EQ(io::readWhole(folder / "victim"), "precious");
 }

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "ariadne/core/error.h"
+#include "ariadne/io/scratch_folder.h"
 #include "ariadne/io/whole_file.h"
 
 namespace fs = std::filesystem;
@@ -46,6 +47,27 @@ TEST_F(WholeFile, RefusesWhatIsNoFile) {
   fs::create_symlink("/dev/null", folder / "null");
   EXPECT_THROW(writeWhole(folder / "null", "x"), ariadne::core::Error);
   EXPECT_TRUE(fs::is_symlink(folder / "null"));
+}
+
+TEST_F(WholeFile, WhatOthersPutWhereItWritesIsNotFollowed) {
+  writeWhole(folder / "victim", "precious");
+  const fs::path half = folder / (".a." + ariadne::io::writerMark() + ".part.txt");
+  fs::create_symlink(folder / "victim", half);
+  EXPECT_THROW(writeWhole(folder / "a.txt", "x"), ariadne::core::Error);
+  EXPECT_EQ(readWhole(folder / "victim"), "precious");
+  EXPECT_TRUE(fs::is_symlink(half)) << "it is not ours to remove";
+}
+
+TEST_F(WholeFile, ScratchFoldersAreOfOneUserAndGoAway) {
+  fs::path first;
+  {
+    const ariadne::io::ScratchFolder a("test"), b("test");
+    first = a.path();
+    EXPECT_NE(a.path(), b.path());
+    EXPECT_EQ(fs::status(first).permissions(), fs::perms::owner_all);
+    writeWhole(first / "x", "y");
+  }
+  EXPECT_FALSE(fs::exists(first));
 }
 
 TEST_F(WholeFile, NamesAPathThatCannotBeWritten) {

@@ -2,13 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
-
 #include "ariadne/batch/process.h"
 #include "ariadne/batch/program.h"
 #include "ariadne/core/error.h"
+#include "ariadne/io/scratch_folder.h"
 #include "ariadne/io/whole_file.h"
 #include "plot_script.h"
 
@@ -18,27 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kLimit_s = 300;
-
-/// A folder that is gone with this.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "ariadne-plots-XXXXXX").string();
-    if (!::mkdtemp(name.data()))
-      throw core::Error(fmt::format("cannot make the folder {}: {}", name, std::strerror(errno)));
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 fs::path findGnuplot() {
   const fs::path program = findInPath("gnuplot");
@@ -65,7 +41,7 @@ void callGnuplot(const fs::path& script) {
 
 std::vector<Picture> drawPlots(const std::vector<Plot>& plots) {
   if (plots.empty()) return {};
-  const TemporaryFolder folder;
+  const io::ScratchFolder folder("plots");
   const fs::path script = folder.path() / "plots.gp";
   io::writeWhole(script, gnuplotScript(plots, folder.path()));
   callGnuplot(script);

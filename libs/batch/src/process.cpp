@@ -28,6 +28,12 @@ double seconds(const timeval& t) {
   return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
 }
 
+[[noreturn]] void tellAndExit() {
+  const char* reason = std::strerror(errno);
+  const ssize_t ignored = ::write(2, reason, std::strlen(reason));
+  ::_exit(ignored < 0 ? 126 : 127);
+}
+
 /// Between fork and exec: only what is safe there.
 [[noreturn]] void become(char* const* argv, const char* out, int err, pid_t parent) {
   ::setpgid(0, 0);
@@ -35,17 +41,16 @@ double seconds(const timeval& t) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(127);
   for (const int signal : {SIGINT, SIGTERM, SIGPIPE}) ::signal(signal, SIG_DFL);
+  ::dup2(err, 2);
   const int in = ::open("/dev/null", O_RDONLY);
-  const int to = ::open(out, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+  const int to = ::open(out, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW, 0666);
+  if (to < 0) tellAndExit();
   ::dup2(in, 0);
   ::dup2(to, 1);
-  ::dup2(err, 2);
   if (in > 2) ::close(in);
   if (to > 2) ::close(to);
   ::execv(argv[0], argv);
-  const char* reason = std::strerror(errno);
-  const ssize_t ignored = ::write(2, reason, std::strlen(reason));
-  ::_exit(ignored < 0 ? 126 : 127);
+  tellAndExit();
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 #include "resolved_config.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "ariadne/batch/process.h"
 #include "ariadne/core/error.h"
 #include "ariadne/io/ini_text.h"
+#include "ariadne/io/scratch_folder.h"
 #include "ariadne/io/whole_file.h"
 
 namespace ariadne::batch {
@@ -16,15 +16,6 @@ namespace fs = std::filesystem;
 // What takes a moment; on a machine with many more jobs than cores one was seen to take over a
 // minute.
 constexpr double kPrintLimit_s = 300;
-
-/// A file that is gone with this.
-struct TemporaryFile {
-  fs::path path = fs::temp_directory_path() / fmt::format("ariadne-config-{}.ini", ::getpid());
-  ~TemporaryFile() {
-    std::error_code ignored;
-    fs::remove(path, ignored);
-  }
-};
 
 std::string trimmedEnd(std::string text) {
   while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
@@ -53,8 +44,9 @@ const char* const kWhereDataAre =
 std::string resolvedConfig(const Program& program, const ArmCall& call, const std::string& where) {
   const auto command = configCommand(program, call);
   if (command.empty()) return io::readIniText(call.config);
-  const TemporaryFile printed;
-  Process process(command, printed.path);
+  const io::ScratchFolder scratch("config");
+  const fs::path printed = scratch.path() / "config.ini";
+  Process process(command, printed);
   const std::string what = program.path.string() + " --print-config";
   const ProcessEnd end = endOf(process, kPrintLimit_s, fmt::format("{}: {}", where, what));
   if (end.signal != 0 || end.exit_code != 0)
@@ -62,7 +54,7 @@ std::string resolvedConfig(const Program& program, const ArmCall& call, const st
                                        end.last_words.empty()
                                            ? fmt::format("{}: {}", what, describe(end))
                                            : trimmedEnd(end.last_words)));
-  return io::readWhole(printed.path);
+  return io::readWhole(printed);
 }
 
 std::string meaningOfWord(const std::string& word, FileHashes& hashes,

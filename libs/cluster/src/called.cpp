@@ -13,21 +13,11 @@
 #include "ariadne/batch/process.h"
 #include "ariadne/batch/program.h"
 #include "ariadne/core/error.h"
+#include "ariadne/io/scratch_folder.h"
 #include "ariadne/io/whole_file.h"
 
 namespace ariadne::cluster {
 namespace {
-
-namespace fs = std::filesystem;
-
-/// A file that is gone with this.
-struct TemporaryFile {
-  fs::path path = fs::temp_directory_path() / fmt::format("ariadne-called-{}", ::getpid());
-  ~TemporaryFile() {
-    std::error_code ignored;
-    fs::remove(path, ignored);
-  }
-};
 
 std::string trimmedEnd(std::string text) {
   while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
@@ -57,8 +47,9 @@ Called call(std::vector<std::string> argv, double limit_s) {
   const std::string name = argv[0];
   argv[0] = batch::findInPath(name).string();
   if ((called.missing = argv[0].empty())) return called;
-  const TemporaryFile printed;
-  batch::Process process(argv, printed.path);
+  const io::ScratchFolder scratch("called");
+  const std::filesystem::path printed = scratch.path() / "stdout";
+  batch::Process process(argv, printed);
   std::optional<batch::ProcessEnd> end;
   while (!(end = process.poll())) {
     if (process.elapsed_s() > limit_s) {
@@ -68,7 +59,7 @@ Called call(std::vector<std::string> argv, double limit_s) {
     batch::waitForAny({&process}, std::chrono::milliseconds(100));
   }
   called.ok = end->signal == 0 && end->exit_code == 0;
-  called.out = io::readWhole(printed.path);
+  called.out = io::readWhole(printed);
   called.error = trimmedEnd(end->last_words);
   if (!called.ok && called.error.empty()) called.error = batch::describe(*end);
   return called;

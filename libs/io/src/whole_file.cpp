@@ -79,7 +79,13 @@ void writeWhole(const fs::path& path, const std::function<void(const fs::path&)>
   // Renaming over a device would replace it.
   if (fs::exists(status) && !fs::is_regular_file(status))
     throw core::Error(fmt::format("cannot write {}: it is no regular file", path.string()));
-  Temporary temporary{temporaryName(path)};
+  const fs::path name = temporaryName(path);
+  {
+    // Others may write into the folder: what stands there under this name is theirs.
+    Descriptor file(name, O_WRONLY | O_CREAT | O_EXCL);
+    if (file.get() < 0) throw failure("write", path, errno);
+  }
+  Temporary temporary{name};
   write(temporary.path);
   {
     // A full disk may let every write pass and fail only when the pages go out.
@@ -92,7 +98,7 @@ void writeWhole(const fs::path& path, const std::function<void(const fs::path&)>
 
 void writeWhole(const fs::path& path, std::string_view content) {
   writeWhole(path, [&](const fs::path& temporary) {
-    Descriptor file(temporary, O_WRONLY | O_CREAT | O_TRUNC);
+    Descriptor file(temporary, O_WRONLY | O_TRUNC);
     if (file.get() < 0) throw failure("write", path, errno);
     while (!content.empty()) {
       const ssize_t written = ::write(file.get(), content.data(), content.size());
