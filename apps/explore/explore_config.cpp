@@ -11,6 +11,7 @@
 #include "ariadne/explore/strategy.h"
 #include "ariadne/io/ini_fields.h"
 #include "ariadne/io/ini_text.h"
+#include "ini_program.h"
 
 namespace ariadne::explore_app {
 namespace {

@@ -37,8 +37,9 @@ TEST(Yaml, IsReadInEveryStyleAndCoding) {
       "{image: 'my map #1.pgm', origin: [-3.5, 2, 0], deep: {a: [{b: 5e-1}]}}\n";
   std::string crlf;
   for (const char c : block) crlf += c == '\n' ? std::string("\r\n") : std::string(1, c);
-  for (const std::string& text : {block, flow, crlf, "\xef\xbb\xbf" + crlf, "---\n" + block,
-                                  utf16(block, false), utf16(crlf, true)}) {
+  for (const std::string& text :
+       {block, flow, crlf, "\xef\xbb\xbf" + crlf, "---\n" + block, utf16(block, false),
+        utf16(crlf, true), utf16(flow, true).substr(2)}) {
     const auto yaml = parseYaml(text, "a.yaml");
     EXPECT_EQ(yaml.at("image", "").text(), "my map #1.pgm");
     const auto origin = yaml.at("origin", "");
@@ -88,6 +89,7 @@ TEST(Yaml, WhatIsNoneIsRefused) {
   expectRefused("a: 1\n---\nb: 2\n", {"a.yaml:2: a second document"});
   expectRefused("[a, b]: 1\n", {"a.yaml:1: a list or a mapping as a key"});
   expectRefused("a: 1\nb: \x04 2\n", {"a.yaml:2: the byte 0x04"});
+  expectRefused(utf16("a: 1\nb: \x04 2\n", true), {"a.yaml:2: the byte 0x04"});
   expectRefused(std::string("a\0: 1\n", 6), {"a.yaml:1: the byte 0x00"});
   expectRefused("a: *b\n", {"a.yaml:1: this is no YAML"});
   expectRefused("%eag: \x1e\x03\x19\xe3\xa0\xff\x7f", {"a.yaml:1"});  // MRPT hung on these bytes

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "ariadne/core/names.h"
+#include "ariadne/core/plain_text.h"
 #include "ariadne/io/whole_file.h"
 #include "yaml_node.h"
 
@@ -23,12 +24,9 @@ bool beginsWith(std::string_view text, std::string_view with) {
 }
 
 /// libyaml-cpp takes the byte 4 for the end of the file, without a word.
-void expectText(std::string_view bytes, const std::string& name) {
-  if (beginsWith(bytes, "\xff\xfe") || beginsWith(bytes, "\xfe\xff") ||
-      beginsWith(bytes, {"\0\0\xfe\xff", 4}))
-    return;  // UTF-16 and UTF-32, where every byte may come
+void expectText(std::string_view text, const std::string& name) {
   int line = 1;
-  for (const unsigned char c : bytes) {
+  for (const unsigned char c : text) {
     if (c == '\n') ++line;
     if ((c < ' ' && c != '\n' && c != '\r' && c != '\t') || c == 0x7f)
       throw core::Error(fmt::format("{}:{}: the byte 0x{:02x}: this is no text", name, line, c));
@@ -120,8 +118,9 @@ bool YamlValue::flag() const {
 }
 
 YamlValue parseYaml(std::string_view bytes, const std::string& name) {
-  expectText(bytes, name);
-  return {parseYamlNodes(std::string(bytes), name), name, ""};
+  const std::string text = core::plainText(std::string(bytes));
+  expectText(text, name);
+  return {parseYamlNodes(text, name), name, ""};
 }
 
 YamlValue readYaml(const std::filesystem::path& path) {

@@ -45,7 +45,7 @@ class YamlValue {
   std::string path_;  // of the value in it
 };
 
-/// The one document of a file: UTF-8, or UTF-16 or UTF-32 by its byte order mark; LF or CRLF.
+/// The one document of a file, in any coding that core::plainText() knows.
 /// Throws core::Error naming file and line: not YAML, a second document, a key that comes twice,
 /// control characters, over 4 MB, 100,000 values or 50 levels.
 YamlValue readYaml(const std::filesystem::path& path);
