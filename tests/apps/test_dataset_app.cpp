@@ -54,6 +54,22 @@ TEST_F(DatasetApp, InfoSaysWhyALogCannotBeMapped) {
   EXPECT_NE(out.str().find("can be mapped: no: no 2D laser"), std::string::npos) << out.str();
 }
 
+TEST_F(DatasetApp, InfoAsksForAnglesThatNobodySays) {
+  const std::string log = write("a.log", flaser(541, "1", "0 0 0", "0 0 0", kBegin_s) +
+                                             flaser(541, "1", "0 0 0", "0 0 0", kBegin_s + 1));
+  ASSERT_EQ(run({"info", log}), 0) << err.str();
+  for (const char* part : {"541 beams over an unknown angle", "can be mapped: no: FLASER lines",
+                           "ariadne-dataset's --field-of-view"})
+    EXPECT_NE(out.str().find(part), std::string::npos) << part << "\n" << out.str();
+  EXPECT_EQ(run({"import", log, path("b.rawlog")}), 1);
+  ASSERT_EQ(run({"info", log, "--field-of-view", "270"}), 0) << err.str();
+  for (const char* part : {"541 beams over 270.00 deg", "can be mapped: yes",
+                           "note: FLASER: 541 beams from -135 to 135 degrees, by field_of_view"})
+    EXPECT_NE(out.str().find(part), std::string::npos) << part << "\n" << out.str();
+  ASSERT_EQ(run({"info", write("c.rawlog", pairsLog(5)), "--field-of-view", "270"}), 0);
+  EXPECT_NE(out.str().find("warning: field_of_view_deg is not used"), std::string::npos);
+}
+
 TEST_F(DatasetApp, InfoKnowsAllLasersAndWhichIsTilted) {
   Rawlog log;
   for (int i = 0; i < 4; ++i) {

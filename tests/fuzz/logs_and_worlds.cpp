@@ -1,14 +1,19 @@
+#include <mrpt/obs/CObservation2DRangeScan.h>
+#include <mrpt/obs/CObservationOdometry.h>
+
 #include <fstream>
 #include <sstream>
 
 #include "ariadne/io/dataset.h"
 #include "ariadne/io/relations.h"
 #include "ariadne/io/tum.h"
+#include "ariadne/io/whole_file.h"
 #include "ariadne/sim/drive_path.h"
 #include "ariadne/sim/world.h"
 #include "dataset_info.h"
 #include "evaluation.h"
 #include "parts.h"
+#include "rawlog_by_mrpt.h"
 
 namespace ariadne::fuzz {
 namespace {
@@ -29,6 +34,15 @@ void readLog(const Path& file) {
   const DatasetInfo info = collectInfo(file, {}, [](double) {});
   infoAsText(info);
   infoAsJson(info);
+}
+
+/// What is newer than our decoder: MRPT's own classes, of the versions that they write.
+void readNewerObservation(const Path& file) {
+  const std::string body = io::readWhole(file);
+  mrpt::obs::CObservation2DRangeScan scan;
+  mrpt::obs::CObservationOdometry odometry;
+  io::readByMrpt(scan, {"CObservation2DRangeScan", false, io::writtenVersion(scan)}, body);
+  io::readByMrpt(odometry, {"CObservationOdometry", false, io::writtenVersion(odometry)}, body);
 }
 
 void readTum(const Path& file) {

@@ -9,6 +9,7 @@ namespace ariadne::fuzz {
 
 const std::vector<Reader>& readers() {
   static const std::vector<Reader> all = {{"log", "in.log", readLog},
+                                          {"newer", "in.bin", readNewerObservation},
                                           {"tum", "in.tum", readTum},
                                           {"relations", "in.relations", readRelations},
                                           {"world", "in.world", readWorld},

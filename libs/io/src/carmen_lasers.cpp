@@ -15,7 +15,6 @@ using mrpt::math::TPose2D;
 
 constexpr std::size_t kSurveyedScans = 200;
 constexpr std::size_t kLongest = 16;
-constexpr std::size_t kMostFans = 16;  // that are remembered: lines may differ from each other
 
 /// FLASER's better half is ROBOTLASER1.
 const char* betterThan(const std::string& label) {
@@ -36,7 +35,7 @@ TPose2D offsetOf(const CarmenScan& scan) {
 }  // namespace
 
 CarmenLasers::CarmenLasers(const std::filesystem::path& path, double field_of_view_deg)
-    : field_of_view_deg_(field_of_view_deg) {
+    : fans_(params_, field_of_view_deg) {
   survey(path);
   for (auto& [label, laser] : lasers_)
     if (isUsed(label)) settle(label, laser);
@@ -63,13 +62,14 @@ void CarmenLasers::survey(const std::filesystem::path& path) {
     ++scans;
   }
   // A PARAM may stand anywhere: no error before the whole log was looked through.
-  bool known = allFansKnown();
+  const auto is_used = [this](const std::string& label) { return isUsed(label); };
+  bool known = fans_.allKnown(is_used);
   while (!known && file.line(line, too_long)) {
     if (too_long || line.find("PARAM") == line.npos) continue;
     splitFields(line, words);
     if (words.empty() || kindOf(words) != CarmenLine::param) continue;
     takeParam(words, true);
-    known = allFansKnown();
+    known = fans_.allKnown(is_used);
   }
   surveyed_ = true;
 }
@@ -93,7 +93,7 @@ void CarmenLasers::look(const CarmenScan& scan) {
   Laser& laser = lasers_[label];
   laser.bare = !scan.fan;
   if (scan.odom_from_laser) laser.offsets.push_back(offsetOf(scan));
-  if (seen_.size() < kMostFans) seen_.insert(keyOf(scan));
+  fans_.meet(scan);
   for (std::size_t i = 0; i < scan.record.scan->getScanSize(); ++i) {
     const float range = scan.record.scan->getScanRange(i);
     if (!(range < kCarmenMaxRange_m)) continue;
@@ -138,51 +138,9 @@ void CarmenLasers::settleRange(const std::string& label, Laser& laser) {
   notes_.push_back(fmt::format("{}: up to {:g} m by {}", label, param->value, param->text));
 }
 
-CarmenLasers::FanKey CarmenLasers::keyOf(const CarmenScan& scan) {
-  const CarmenLineFan fan = scan.fan.value_or(CarmenLineFan());
-  return {scan.record.scan->sensorLabel, scan.record.scan->getScanSize(), fan.start, fan.field,
-          fan.step};
-}
-
-FanChoice CarmenLasers::choose(const FanKey& key) const {
-  const auto& [label, count, start, field, step] = key;
-  if (count < 2) return {CarmenFan(), "", {}, ""};
-  const bool bare = label == "FLASER" || label == "RLASER";
-  const auto line = bare ? std::nullopt : std::optional(CarmenLineFan{start, field, step});
-  return chooseFan(label, count, line, params_.of(label), field_of_view_deg_);
-}
-
-bool CarmenLasers::allFansKnown() const {
-  for (const FanKey& key : seen_)
-    if (isUsed(std::get<0>(key)) && !choose(key).fan) return false;
-  return true;
-}
-
-const FanChoice& CarmenLasers::fanOf(const CarmenScan& scan) {
-  const FanKey key = keyOf(scan);
-  const auto there = fans_.find(key);
-  if (there != fans_.end()) return there->second;
-  if (fans_.size() >= kMostFans) return other_fan_ = choose(key);
-  const FanChoice& choice = fans_[key] = choose(key);
-  note(key, choice);
-  return choice;
-}
-
-void CarmenLasers::note(const FanKey& key, const FanChoice& choice) {
-  const std::string& label = std::get<0>(key);
-  const std::size_t count = std::get<1>(key);
-  for (const std::string& remark : choice.remarks)
-    remarks_.push_back(fmt::format("{} lines: {}", label, remark));
-  if (!choice.fan || count < 2) return;
-  const double first = choice.fan->start_rad * 180 / M_PI;
-  const double last = first + choice.fan->step_rad * 180 / M_PI * (static_cast<double>(count) - 1);
-  notes_.push_back(fmt::format("{}: {} beams from {:.5g} to {:.5g} degrees, {}", label, count,
-                               first, last, choice.source));
-}
-
 void CarmenLasers::complete(CarmenScan& scan) {
   auto& obs = *scan.record.scan;
-  const FanChoice& choice = fanOf(scan);
+  const FanChoice& choice = fans_.of(scan, notes_, remarks_);
   if (!choice.fan) {
     scan.record.problem = choice.problem;
     obs.aperture = 0;

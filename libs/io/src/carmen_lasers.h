@@ -5,10 +5,9 @@
 #include <set>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <vector>
 
-#include "carmen_line.h"
+#include "carmen_fans.h"
 #include "carmen_place.h"
 
 namespace ariadne::io {
@@ -19,6 +18,8 @@ class CarmenLasers {
   /// angles open, on to the PARAM that tells, or to the end. `field_of_view_deg` over 0 is the
   /// user's word.
   CarmenLasers(const std::filesystem::path& path, double field_of_view_deg);
+  CarmenLasers(const CarmenLasers&) = delete;
+  CarmenLasers& operator=(const CarmenLasers&) = delete;
 
   /// FLASER repeats ROBOTLASER1 for older programs, RLASER ROBOTLASER2, and RAWLASER is what the
   /// others were made of.
@@ -43,27 +44,17 @@ class CarmenLasers {
     LaserPlace place;
     float max_range_m = 0;  ///< 0: as its lines have it
   };
-  using FanKey = std::tuple<std::string, std::size_t, double, double, double>;
-
   void survey(const std::filesystem::path& path);
   void remarkOnRawLasers();
   void look(const CarmenScan& scan);
   void settle(const std::string& label, Laser& laser);
   void settleRange(const std::string& label, Laser& laser);
-  bool allFansKnown() const;
-  static FanKey keyOf(const CarmenScan& scan);
-  FanChoice choose(const FanKey& key) const;
-  const FanChoice& fanOf(const CarmenScan& scan);
-  void note(const FanKey& key, const FanChoice& choice);
 
-  double field_of_view_deg_;
   CarmenParams params_;
+  CarmenFans fans_;
   std::map<std::string, Laser> lasers_;
   std::set<std::string> posed_, raw_;  ///< labels met
-  std::set<FanKey> seen_;
   bool surveyed_ = false;
-  std::map<FanKey, FanChoice> fans_;
-  FanChoice other_fan_;
   std::vector<std::string> notes_, remarks_;
 };
 

@@ -20,6 +20,7 @@ namespace {
 // Scans read before the first is given out: lasers take turns, so all labels are among them.
 constexpr std::size_t kLookahead = 200;
 constexpr std::size_t kMostWithoutOdometry = 1000;
+constexpr std::size_t kMostWithoutAngles = 1000;
 constexpr const char* kNoLabel = "(none)";
 
 class Steps : public StepSource {
@@ -32,8 +33,7 @@ class Steps : public StepSource {
     if (wanted_ && wanted_->empty()) wanted_.reset();
     const bool any = !wanted_;
     if (wanted_ == kNoLabel) wanted_ = "";
-    while (ready_.size() < kLookahead && readRecord())
-      if (!track_.hasOdometry() && track_.waiting() > kMostWithoutOdometry) break;
+    while (ready_.size() < kLookahead && readRecord() && !isHopeless()) continue;
     if (any && labels_.size() > 1)
       throw failure(fmt::format(
           "several lasers: {}; choose one by its label: [dataset] laser_label, as in --set "
@@ -65,6 +65,12 @@ class Steps : public StepSource {
     return core::Error(fmt::format("{}: {}", path_.string(), why));
   }
 
+  /// Nothing to use in so many scans: what follows will not be better.
+  bool isHopeless() const {
+    if (!track_.hasOdometry() && track_.waiting() > kMostWithoutOdometry) return true;
+    return ready_.empty() && !problem_.empty() && counts_.scans_malformed > kMostWithoutAngles;
+  }
+
   /// Takes one record in; false when there is none left.
   bool readRecord() {
     if (ended_) return false;
@@ -94,7 +100,7 @@ class Steps : public StepSource {
     if (scan.sensorLabel != *wanted_) {
       ++counts_.scans_other_lasers;
     } else if (!repairGeometry(scan)) {
-      problem_ = laser.problem;
+      if (!laser.problem.empty()) problem_ = laser.problem;
       ++counts_.scans_malformed;
     } else if (!isPlanar(scan)) {
       ++counts_.scans_not_planar;

@@ -7,6 +7,8 @@
 #include <cctype>
 #include <optional>
 
+#include "rawlog_versions.h"
+
 namespace ariadne::io {
 namespace {
 
@@ -79,10 +81,15 @@ std::optional<std::size_t> findEntry(std::string_view bytes, std::size_t from) {
 
 }  // namespace
 
-void requireVersion(const ObjectHeader& object, int newest) {
-  if (object.version < 0 || object.version > newest)
-    throw ArchiveDamage(
-        fmt::format("{} of version {}, known up to {}", object.name, object.version, newest));
+void requireVersion(const ObjectHeader& object) {
+  const int newest = newestKnown(object.name);
+  if (object.version < 0)
+    throw ArchiveDamage(fmt::format("{} of version {}", object.name, object.version));
+  if (object.version > newest)
+    throw NewerVersion(fmt::format(
+        "{} of version {} is newer than this program, which knows up to {}, and than the "
+        "MRPT installed here",
+        object.name, object.version, newest));
 }
 
 bool looksLikeArchive(std::string_view beginning) { return parseHeader(beginning).has_value(); }
@@ -114,11 +121,11 @@ ObjectHeader ArchiveReader::header() {
   return object;
 }
 
-ObjectHeader ArchiveReader::header(const char* name, int newest) {
+ObjectHeader ArchiveReader::header(const char* name) {
   ObjectHeader object = header();
   if (object.name != name)
     throw ArchiveDamage(fmt::format("{} where {} should be", object.name, name));
-  requireVersion(object, newest);
+  requireVersion(object);
   return object;
 }
 
@@ -131,6 +138,15 @@ void ArchiveReader::end(const ObjectHeader& object) {
 std::string ArchiveReader::nextClass() {
   const auto parsed = parseHeader(file_.peek(kLongestHeader));
   return parsed ? std::string(className(parsed->name)) : "";
+}
+
+std::string_view ArchiveReader::beforeNextEntry() {
+  constexpr std::size_t kMost = 4 << 20;
+  for (std::size_t size = 1 << 16;; size *= 2) {
+    const std::string_view here = file_.peek(size);
+    if (const auto found = findEntry(here, 0)) return here.substr(0, *found);
+    if (here.size() < size || size >= kMost) return here;
+  }
 }
 
 void ArchiveReader::skipToNextEntry() {

@@ -17,6 +17,11 @@ struct ArchiveDamage : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// An object of a version that is newer than this decoder; its end is not known.
+struct NewerVersion : ArchiveDamage {
+  using ArchiveDamage::ArchiveDamage;
+};
+
 struct ObjectHeader {
   std::string name;         ///< today's, without namespace
   bool old_format = false;  ///< before MRPT 0.5.5: no end flag
@@ -41,14 +46,16 @@ class ArchiveReader {
   std::string text();
 
   ObjectHeader header();
-  /// The header of an object that must be of class `name`, of a version up to `newest`.
-  ObjectHeader header(const char* name, int newest);
+  /// The header of an object that must be of class `name`, of a known version.
+  ObjectHeader header(const char* name);
   /// The flag that ends an object.
   void end(const ObjectHeader& object);
 
   /// Name of the class whose header comes next; empty at the end of the file or when there is none.
   std::string nextClass();
   bool atEnd() { return file_.peek(1).empty(); }
+  /// What is before the next header of an entry (see skipToNextEntry), at most 4 MB of it.
+  std::string_view beforeNextEntry();
   /// Goes to the next header of an observation, action, frame or collection; to the end of the
   /// file when there is none. End flags before it are passed as well.
   void skipToNextEntry();
@@ -57,8 +64,8 @@ class ArchiveReader {
   InputFile& file_;
 };
 
-/// Throws unless the version is one that this program knows.
-void requireVersion(const ObjectHeader& object, int newest);
+/// Throws NewerVersion unless the version is one of rawlog_versions.h.
+void requireVersion(const ObjectHeader& object);
 
 /// Whether a file that begins like this is an object stream.
 bool looksLikeArchive(std::string_view beginning);

@@ -1,10 +1,13 @@
 #include "rawlog_objects.h"
 
 #include <fmt/format.h>
+#include <mrpt/obs/CObservationOdometry.h>
 
 #include <cmath>
 
+#include "rawlog_by_mrpt.h"
 #include "rawlog_poses.h"
+#include "rawlog_versions.h"
 
 namespace ariadne::io {
 namespace {
@@ -33,8 +36,33 @@ mrpt::Clock::time_point clockOfSeconds(double time_s) {
                             std::llround((time_s - whole) * 1e7)));
 }
 
+namespace {
+
+/// Of a version that only the installed MRPT knows; throws NewerVersion when it does not either.
+template <class Observation>
+std::shared_ptr<Observation> readNewer(ArchiveReader& in, const ObjectHeader& object) {
+  auto observation = Observation::Create();
+  const std::size_t size = readByMrpt(*observation, object, in.beforeNextEntry());
+  if (size == 0) requireVersion(object);
+  in.bytes(size);
+  return observation;
+}
+
+std::int64_t ticksOf(const mrpt::obs::CObservation& observation) {
+  return observation.timestamp.time_since_epoch().count();
+}
+
+}  // namespace
+
 LaserRecord readScan(ArchiveReader& in, const ObjectHeader& object) {
-  requireVersion(object, 7);
+  if (object.version > newestKnown(object.name)) {
+    const auto newer = readNewer<mrpt::obs::CObservation2DRangeScan>(in, object);
+    LaserRecord record;
+    record.scan = newer;
+    record.time_s = secondsOfTicks(ticksOf(*newer));
+    return record;
+  }
+  requireVersion(object);
   const int version = object.version;
   auto scan = mrpt::obs::CObservation2DRangeScan::Create();
   scan->aperture = in.number<float>();
@@ -64,13 +92,18 @@ LaserRecord readScan(ArchiveReader& in, const ObjectHeader& object) {
     scan->deltaPitch = in.number<double>();
   }
   if (version >= 7 && in.flag()) in.bytes(count * sizeof(std::int32_t));  // intensities
+  if (version >= 8) in.number<float>();                                   // how long a sweep takes
   in.end(object);
   record.scan = std::move(scan);
   return record;
 }
 
 OdometryReading readOdometry(ArchiveReader& in, const ObjectHeader& object) {
-  requireVersion(object, 2);
+  if (object.version > newestKnown(object.name)) {
+    const auto newer = readNewer<mrpt::obs::CObservationOdometry>(in, object);
+    return {secondsOfTicks(ticksOf(*newer)), newer->odometry.asTPose(), newer->sensorLabel};
+  }
+  requireVersion(object);
   const int version = object.version;
   OdometryReading reading;
   reading.odom_from_robot = readPose2D(in);
@@ -88,7 +121,7 @@ OdometryReading readOdometry(ArchiveReader& in, const ObjectHeader& object) {
 }
 
 Movement readMovement(ArchiveReader& in, const ObjectHeader& object) {
-  requireVersion(object, 7);
+  requireVersion(object);
   const int version = object.version;
   constexpr int kOdometry = 0, kMatching = 1;
   Movement movement;

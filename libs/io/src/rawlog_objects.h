@@ -1,4 +1,5 @@
-// The MRPT classes that a mapper needs out of a rawlog, all versions that MRPT 2.5 reads.
+// The MRPT classes that a mapper needs out of a rawlog, all versions up to those of
+// rawlog_versions.h.
 #pragma once
 #include "ariadne/io/dataset_records.h"
 #include "rawlog_archive.h"

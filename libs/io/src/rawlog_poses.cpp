@@ -21,7 +21,7 @@ double real(ArchiveReader& in) {
 /// A matrix object of at most 16 x 16 numbers, row by row.
 template <class T>
 std::vector<double> readMatrix(ArchiveReader& in, const char* name) {
-  const ObjectHeader object = in.header(name, 0);
+  const ObjectHeader object = in.header(name);
   const auto rows = in.number<std::uint32_t>();
   const auto columns = in.number<std::uint32_t>();
   if (rows > 16 || columns > 16)
@@ -42,7 +42,7 @@ CPose3D fromHomogeneous(const std::vector<double>& m) {
 }  // namespace
 
 CPose3D readPose3D(ArchiveReader& in) {
-  const ObjectHeader object = in.header("CPose3D", 3);
+  const ObjectHeader object = in.header("CPose3D");
   CPose3D pose;
   if (object.version == 0) {
     pose = fromHomogeneous(readMatrix<float>(in, "CMatrixF"));
@@ -76,7 +76,7 @@ CPose3D readPose3D(ArchiveReader& in) {
 void passCovariance(ArchiveReader& in) { readMatrix<float>(in, "CMatrixF"); }
 
 TPose2D readPose2D(ArchiveReader& in) {
-  const ObjectHeader object = in.header("CPose2D", 1);
+  const ObjectHeader object = in.header("CPose2D");
   std::array<double, 3> v{};
   for (double& number : v) number = object.version == 0 ? real<float>(in) : in.number<double>();
   in.end(object);
@@ -108,19 +108,19 @@ TPose2D readDensity(ArchiveReader& in) {
   const ObjectHeader object = in.header();
   TPose2D mean;
   if (object.name == "CPosePDFGaussian") {
-    requireVersion(object, 2);
+    requireVersion(object);
     mean = readPose2D(in);
     if (object.version == 0) passCovariance(in);
     if (object.version > 0) in.bytes(6 * (object.version == 1 ? sizeof(float) : sizeof(double)));
   } else if (object.name == "CPosePDFGaussianInf") {
-    requireVersion(object, 0);
+    requireVersion(object);
     mean.x = in.number<double>();
     mean.y = in.number<double>();
     mean.phi = in.number<double>();
     in.bytes(6 * sizeof(double));
   } else if (object.name == "CPosePDFParticles" || object.name == "CPosePDFSOG") {
     const bool modes = object.name == "CPosePDFSOG";
-    requireVersion(object, modes ? 2 : 1);
+    requireVersion(object);
     MeanPose sum;
     for (auto left = in.number<std::uint32_t>(); left > 0; --left) {
       double weight = in.number<double>();

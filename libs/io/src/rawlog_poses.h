@@ -1,4 +1,4 @@
-// MRPT's poses and pose densities out of a rawlog, all versions that MRPT 2.5 reads.
+// MRPT's poses and pose densities out of a rawlog, all versions up to those of rawlog_versions.h.
 #pragma once
 #include <mrpt/math/TPose2D.h>
 #include <mrpt/poses/CPose3D.h>

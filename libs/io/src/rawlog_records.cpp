@@ -20,12 +20,18 @@ std::optional<LogRecord> RawlogRecords::next() {
     while (!done_) {
       if (auto record = frame_ ? nextInFrame() : nextInFile()) return record;
     }
+  } catch (const NewerVersion& reason) {
+    stop("cannot be read", reason);
   } catch (const ArchiveDamage& reason) {
-    done_ = true;
-    damage_ = fmt::format("damaged at entry {}, byte {} (unpacked): {}", entry_, object_begin_,
-                          reason.what());
+    stop("damaged", reason);
   }
   return std::nullopt;
+}
+
+void RawlogRecords::stop(const char* how, const ArchiveDamage& reason) {
+  done_ = true;
+  damage_ = fmt::format("{} at entry {}, byte {} (unpacked): {}", how, entry_, object_begin_,
+                        reason.what());
 }
 
 std::optional<LogRecord> RawlogRecords::nextInFile() {
@@ -65,35 +71,54 @@ std::optional<LogRecord> RawlogRecords::readEntry(bool in_frame) {
     return increment;
   }
   std::optional<LogRecord> record;
-  if (object.name == "CObservation2DRangeScan") {
-    LaserRecord laser = readScan(archive_, object);
-    if (in_frame && frame_time_s_) {
-      laser.time_s = frame_time_s_;
-      laser.scan->timestamp = clockOfSeconds(*frame_time_s_);
-    }
-    record = std::move(laser);
-  } else if (object.name == "CObservationOdometry") {
-    record = readOdometry(archive_, object);
-  } else {
-    archive_.skipToNextEntry();
-    if (!in_frame) {
-      ++entry_;
-      return std::nullopt;
-    }
-    // Passing over the frame's last object also passed over the frame's end.
-    const std::string next = archive_.nextClass();
-    if (left_in_frame_ == 0 || next.empty() || next.rfind("CObservation", 0) != 0) {
-      frame_.reset();
-      ++entry_;
-    }
-    return std::nullopt;
+  try {
+    record = readObservation(object, in_frame);
+  } catch (const NewerVersion& reason) {
+    remarkOn(reason);
   }
-  if (!in_frame) ++entry_;
+  if (!record) passOver(in_frame);
+  if (record && !in_frame) ++entry_;
   return record;
 }
 
+/// nullopt: of no interest.
+std::optional<LogRecord> RawlogRecords::readObservation(const ObjectHeader& object, bool in_frame) {
+  if (object.name == "CObservationOdometry") return readOdometry(archive_, object);
+  if (object.name != "CObservation2DRangeScan") return std::nullopt;
+  LaserRecord laser = readScan(archive_, object);
+  if (in_frame && frame_time_s_) {
+    laser.time_s = frame_time_s_;
+    laser.scan->timestamp = clockOfSeconds(*frame_time_s_);
+  }
+  return laser;
+}
+
+/// Goes on behind an object that is not read.
+void RawlogRecords::passOver(bool in_frame) {
+  archive_.skipToNextEntry();
+  if (in_frame) {
+    // Passing over the frame's last object also passed over the frame's end.
+    const std::string next = archive_.nextClass();
+    if (left_in_frame_ > 0 && next.rfind("CObservation", 0) == 0) return;
+    frame_.reset();
+  }
+  ++entry_;
+}
+
+/// One remark a kind, with a count.
+void RawlogRecords::remarkOn(const NewerVersion& reason) {
+  constexpr std::size_t kMostKinds = 8;
+  const std::string kind = newer_.size() < kMostKinds || newer_.count(reason.what()) > 0
+                               ? reason.what()
+                               : "other versions that are newer than this program";
+  const auto [there, is_new] = newer_.try_emplace(kind, remarks_.size(), 0U);
+  auto& [line, count] = there->second;
+  if (is_new) remarks_.emplace_back();
+  remarks_[line] = fmt::format("{} observations passed over: {}", ++count, kind);
+}
+
 void RawlogRecords::openFrame(const ObjectHeader& frame) {
-  requireVersion(frame, 2);
+  requireVersion(frame);
   if (frame.version < 2) archive_.bytes(4);  // an ID
   frame_time_s_.reset();
   if (frame.version == 0) frame_time_s_ = secondsOfTicks(archive_.number<std::int64_t>());
@@ -103,7 +128,7 @@ void RawlogRecords::openFrame(const ObjectHeader& frame) {
 
 /// The best movement: by scan matching if there is one (as MRPT does), else the first.
 std::optional<LogRecord> RawlogRecords::readCollection(const ObjectHeader& collection) {
-  requireVersion(collection, 0);
+  requireVersion(collection);
   std::optional<Movement> best;
   bool end_passed = false;
   for (auto left = archive_.number<std::uint32_t>(); left > 0 && !end_passed; --left) {

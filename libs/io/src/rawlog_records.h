@@ -23,6 +23,10 @@ class RawlogRecords : public RecordSource {
   std::optional<LogRecord> nextInFile();
   std::optional<LogRecord> nextInFrame();
   std::optional<LogRecord> readEntry(bool in_frame);
+  std::optional<LogRecord> readObservation(const ObjectHeader& object, bool in_frame);
+  void passOver(bool in_frame);
+  void remarkOn(const NewerVersion& reason);
+  void stop(const char* how, const ArchiveDamage& reason);
   void openFrame(const ObjectHeader& frame);
   std::optional<LogRecord> readCollection(const ObjectHeader& collection);
 
@@ -30,6 +34,8 @@ class RawlogRecords : public RecordSource {
   ArchiveReader archive_;
   std::map<std::string, std::size_t> classes_;
   std::vector<std::string> remarks_;
+  /// Line in `remarks_` and count, by the reason.
+  std::map<std::string, std::pair<std::size_t, std::size_t>> newer_;
   std::string damage_;
   bool done_ = false;
 
