@@ -14,7 +14,10 @@ constexpr const char* kAbout =
     "resolution, update distances, insertion range and seeds, and sets side by side what they "
     "cost\n"
     "and how good they are. CONFIG and DATASET are as ariadne-slam takes them; DATASET must be a\n"
-    "rawlog of actions and frames (ariadne-dataset import makes one of a CARMEN log).";
+    "rawlog of actions and frames (ariadne-dataset import makes one of a CARMEN log). Stock takes\n"
+    "codes below the maximum range for walls: where ariadne-dataset info tells of some, import "
+    "the\n"
+    "log first, which writes them as no return.";
 
 constexpr const char* kFooter =
     "Costs are those of whole processes, start-up and writing included. Repeat i has seed --seed + "

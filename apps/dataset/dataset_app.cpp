@@ -97,6 +97,10 @@ class CommandLine {
     sub->add_option("--field-of-view", args_.dataset.field_of_view_deg,
                     "degrees that the laser's beams span, for a CARMEN log that does not say it")
         ->check(CLI::Range(1.0, 360.0));
+    sub->add_option("--max-range", args_.dataset.max_range_m,
+                    "readings at or over this are no return, m; 0: told from the log");
+    sub->add_option("--min-range", args_.dataset.min_range_m, "readings under this are left out, m")
+        ->capture_default_str();
     sub->callback([this, command] {
       command_ = [this, command](auto& out, auto& err) { command(args_, out, err); };
     });

@@ -84,7 +84,9 @@ nlohmann::json countsJson(const io::DatasetCounts& c) {
           {"beams_nan", c.beams_nan},
           {"beams_zero", c.beams_zero},
           {"beams_negative", c.beams_negative},
+          {"beams_too_near", c.beams_too_near},
           {"beams_flagged", c.beams_flagged},
+          {"beams_over_reach", c.beams_over_reach},
           {"scans_backwards", c.scans_backwards},
           {"scans_not_planar", c.scans_not_planar},
           {"scans_malformed", c.scans_malformed},
@@ -95,6 +97,15 @@ nlohmann::json countsJson(const io::DatasetCounts& c) {
           {"odometry_ignored", c.odometry_ignored},
           {"odometry_gaps", c.odometry_gaps},
           {"lines_malformed", c.lines_malformed}};
+}
+
+nlohmann::json noReturnJson(const io::DatasetCounts& c) {
+  nlohmann::json codes = nlohmann::json::array();
+  for (const auto& [mm, beams] : c.no_return_codes_mm)
+    codes.push_back({{"range_m", static_cast<double>(mm) / 1000}, {"beams", beams}});
+  return {{"from_m", c.no_return_from_m > 0 ? nlohmann::json(c.no_return_from_m) : nullptr},
+          {"from_step", c.no_return_from_step},
+          {"codes", codes}};
 }
 
 }  // namespace
@@ -152,6 +163,7 @@ std::string infoAsJson(const DatasetInfo& info) {
                                {"height_m", info.height_m},
                                {"counts", countsJson(info.counts)},
                                {"notes", info.notes},
+                               {"no_return", noReturnJson(info.counts)},
                                {"warnings", info.warnings},
                                {"can_be_mapped", info.can_be_mapped},
                                {"why_not", info.why_not}};

@@ -55,6 +55,8 @@ io::DatasetOptions optionsOf(const DatasetParams& params) {
   io::DatasetOptions options;
   options.laser_label = params.laser_label;
   options.field_of_view_deg = params.field_of_view_deg;
+  options.max_range_m = params.max_range_m;
+  options.min_range_m = params.min_range_m;
   return options;
 }
 

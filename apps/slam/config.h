@@ -14,6 +14,8 @@ struct DatasetParams {
   std::string file;
   std::string laser_label;
   double field_of_view_deg = 0;
+  double max_range_m = 0;
+  double min_range_m = io::DatasetOptions().min_range_m;
 };
 
 template <class V>
@@ -27,6 +29,11 @@ void visitFields(V& v, DatasetParams& p) {
       "field_of_view_deg", p.field_of_view_deg, {0, 360},
       "angle that the laser's beams span, for a CARMEN log that does not say it (an error asks "
       "for it) or is wrong; 0: what the log says");
+  v.number("max_range_m", p.max_range_m, {0, 1000},
+           "readings at or over this are no return, m; 0: the log's maximum range, or its code for "
+           "no return, told from the readings (ariadne-dataset info says which)");
+  v.number("min_range_m", p.min_range_m, {0, 100},
+           "readings under this are left out, m: Hokuyos send error codes of 1 to 19 mm as ranges");
 }
 
 io::DatasetOptions optionsOf(const DatasetParams& params);

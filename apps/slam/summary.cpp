@@ -56,8 +56,11 @@ Json datasetFigures(const RunResult& r) {
           {"odometry_length_m", lengthOf(odometry)},
           {"beams", c.beams},
           {"beams_no_return", c.beams_no_return},
-          {"beams_bad",
-           c.beams_out_of_range + c.beams_nan + c.beams_zero + c.beams_negative + c.beams_flagged}};
+          {"no_return_from_m", c.no_return_from_m > 0 ? Json(c.no_return_from_m) : Json()},
+          {"beams_over_reach", c.beams_over_reach},
+          {"beams_too_near", c.beams_too_near},
+          {"beams_bad", c.beams_out_of_range + c.beams_nan + c.beams_zero + c.beams_negative +
+                            c.beams_too_near + c.beams_flagged}};
 }
 
 /// Wall clock by stage, CPU and memory of the process.

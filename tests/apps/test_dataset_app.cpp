@@ -1,8 +1,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "../io/sample_logs.h"
 #include "../io/temporary_folder.h"
+#include "../io/walled_log.h"
 #include "ariadne/io/tum.h"
 #include "dataset_app.h"
 
@@ -90,6 +90,29 @@ TEST_F(DatasetApp, InfoOfALabelThatIsNotUtf8) {
   log.add(action({})).frame({scan(kBegin_s, "\xff\xfe")});
   ASSERT_EQ(run({"info", write("a.rawlog", log.bytes()), "--json"}), 0) << err.str();
   EXPECT_TRUE(nlohmann::json::accept(out.str())) << out.str();
+}
+
+TEST_F(DatasetApp, InfoSaysWhatMeansNoReturnAndWhatIsTooNear) {
+  Laser laser;
+  laser.reach_m = 8;
+  laser.nothing = {8.183F};
+  const auto poses = driveAlong({{-9, -4}, {9, -4}, {9, 4}, {-9, 4}});
+  const std::string file = write("a.rawlog", walledLog(room(30, 20), poses, laser));
+  ASSERT_EQ(run({"info", file}), 0) << err.str();
+  EXPECT_NE(out.str().find("beams of 8.183 m or more are taken for no return"), std::string::npos)
+      << out.str();
+  ASSERT_EQ(run({"info", file, "--json"}), 0) << err.str();
+  auto json = nlohmann::json::parse(out.str());
+  EXPECT_NEAR(json["no_return"]["from_m"].get<double>(), 8.183, 1e-6);
+  EXPECT_EQ(json["no_return"]["codes"][0]["range_m"], 8.183);
+  EXPECT_EQ(json["no_return"]["codes"][0]["beams"], json["counts"]["beams_over_reach"]);
+  EXPECT_GT(json["counts"]["beams_over_reach"], 1000);
+  ASSERT_EQ(run({"info", file, "--json", "--max-range", "60", "--min-range", "7"}), 0) << err.str();
+  json = nlohmann::json::parse(out.str());
+  EXPECT_EQ(json["counts"]["beams_over_reach"], 0);
+  EXPECT_GT(json["counts"]["beams_too_near"], 1000);
+  EXPECT_EQ(run({"info", file, "--max-range", "-1"}), 2);
+  EXPECT_EQ(run({"info", file, "--min-range", "nan"}), 2);
 }
 
 TEST_F(DatasetApp, ImportAndExportRoundTrip) {

@@ -52,6 +52,38 @@ TEST_F(SlamApp, SummaryAgreesWithTheOtherFiles) {
   EXPECT_LE(json["filter"]["neff_min"], json["filter"]["neff_mean"]);
 }
 
+TEST_F(SlamApp, SaysWhatItTookForNoReturnAndWhatWasTooNear) {
+  std::string text, word;
+  std::istringstream words(room_log::text(40));
+  std::getline(words, text);  // the comment
+  for (int i = 0; words >> word; ++i) {
+    const bool range = word.size() == 5 && word[1] == '.' && word.find('-') == word.npos;
+    if (word == "FLASER") text += '\n';
+    if (range && word > "5.0") word = "8.183";
+    if (range && i % 1000 == 200) word = "0.006";
+    text += word + ' ';
+  }
+  const std::string coded = put("coded.log", text + '\n');
+  const auto figures = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {ini, coded, "--no-pictures", "--out", (folder / "o").string()});
+    more.emplace_back("--overwrite");
+    EXPECT_EQ(run(more), 0) << err;
+    return nlohmann::json::parse(readWhole(folder / "o/summary.json"))["dataset"];
+  };
+  const auto told = figures({});
+  EXPECT_NEAR(told["no_return_from_m"].get<double>(), 8.183, 1e-6) << told;
+  EXPECT_GT(told["beams_over_reach"], 500);
+  EXPECT_EQ(told["beams_no_return"], told["beams_over_reach"]);
+  EXPECT_GT(told["beams_too_near"], 2);
+  EXPECT_EQ(told["beams_bad"], told["beams_too_near"]);
+  EXPECT_NE(err.find("beams of 8.183 m or more are taken for no return"), std::string::npos) << err;
+  EXPECT_NE(err.find("beams are nearer than [dataset] min_range_m"), std::string::npos) << err;
+  const auto set = figures({"--set", "dataset.max_range_m=20", "--set", "dataset.min_range_m=0"});
+  EXPECT_EQ(set["no_return_from_m"], 20);
+  EXPECT_EQ(set["beams_no_return"], 0);
+  EXPECT_EQ(set["beams_bad"], 0);
+}
+
 TEST_F(SlamApp, SameSeedSameFilesOnAnyNumberOfThreads) {
   ASSERT_EQ(map("one", {"--threads", "1"}), 0) << err;
   ASSERT_EQ(map("two", {"--threads", "2"}), 0) << err;

@@ -135,10 +135,10 @@ struct Result {
   }
 };
 
-inline Result read(const std::filesystem::path& path, const std::string& label = "") {
+inline Result read(const std::filesystem::path& path, const io::DatasetOptions& options) {
   Result r;
   try {
-    const auto source = io::openDataset(path, {label});
+    const auto source = io::openDataset(path, options);
     while (auto step = source->next()) r.steps.push_back(std::move(*step));
     r.counts = source->counts();
     r.warnings = source->warnings();
@@ -147,6 +147,12 @@ inline Result read(const std::filesystem::path& path, const std::string& label =
     r.error = e.what();
   }
   return r;
+}
+
+inline Result read(const std::filesystem::path& path, const std::string& label = "") {
+  io::DatasetOptions options;
+  options.laser_label = label;
+  return read(path, options);
 }
 
 inline Result readBytes(const std::filesystem::path& path, const std::string& bytes,
@@ -164,6 +170,11 @@ inline std::filesystem::path realLog(const std::string& name) {
           ? std::filesystem::path(given)
           : std::filesystem::path(source != nullptr ? source : ".") / "../shared/datasets";
   return std::filesystem::exists(folder / name) ? folder / name : std::filesystem::path();
+}
+
+/// One of the small inputs of ../shared/cases, beside the datasets; empty where it is missing.
+inline std::filesystem::path sharedCase(const std::string& name) {
+  return realLog("../cases/" + name);
 }
 
 constexpr const char* kMrptSample =

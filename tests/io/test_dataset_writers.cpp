@@ -1,8 +1,8 @@
 #include <mrpt/obs/CRawlog.h>
 
 #include "ariadne/io/dataset_writers.h"
-#include "sample_logs.h"
 #include "temporary_folder.h"
+#include "walled_log.h"
 
 using namespace sample;  // NOLINT: a test of these samples
 
@@ -62,6 +62,27 @@ TEST_F(DatasetWriters, AHalfDegreeFanSurvives) {
   for (const auto kind : {io::CarmenLaser::robotlaser, io::CarmenLaser::flaser}) {
     io::writeCarmen(folder / "b.log", from(*io::openDataset(folder / "a.log")), kind);
     expectSame(original, read(folder / "b.log"));
+  }
+}
+
+TEST_F(DatasetWriters, WhatMeansNoReturnStaysSo) {
+  Laser laser;
+  laser.reach_m = 8;
+  laser.nothing = {8.183F, 8.191F};
+  io::writeWhole(folder / "a.rawlog",
+                 walledLog(room(30, 20), driveAlong({{-9, -4}, {9, -4}, {9, 4}, {-9, 4}}), laser));
+  const Result original = read(folder / "a.rawlog");
+  ASSERT_NEAR(original.counts.no_return_from_m, 8.183, 1e-6) << original.error;
+  const auto open = [&] { return io::openDataset(folder / "a.rawlog"); };
+  io::writeRawlog(folder / "b", from(*open()));
+  io::writeObservationRawlog(folder / "c", from(*open()));
+  io::writeCarmen(folder / "d", from(*open()));
+  io::writeCarmen(folder / "e", from(*open()), io::CarmenLaser::flaser);
+  for (const char* name : {"b", "c", "d", "e"}) {
+    const Result copy = read(folder / name);
+    expectSame(original, copy);
+    EXPECT_EQ(copy.counts.beams_no_return, original.counts.beams_no_return) << name;
+    EXPECT_EQ(copy.counts.beams_over_reach, 0U) << name;
   }
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <deque>
 #include <map>
 
 #include "ariadne/core/error.h"
@@ -12,13 +11,12 @@
 #include "dataset_warnings.h"
 #include "odometry_track.h"
 #include "rawlog_records.h"
+#include "ready_steps.h"
 #include "scan_check.h"
 
 namespace ariadne::io {
 namespace {
 
-// Scans read before the first is given out: lasers take turns, so all labels are among them.
-constexpr std::size_t kLookahead = 200;
 constexpr std::size_t kMostWithoutOdometry = 1000;
 constexpr std::size_t kMostWithoutAngles = 1000;
 constexpr const char* kNoLabel = "(none)";
@@ -29,11 +27,12 @@ class Steps : public StepSource {
       : path_(path),
         records_(openRecords(path, options)),
         wanted_(options.laser_label),
-        track_(counts_) {
+        track_(counts_),
+        ready_(options, counts_) {
     if (wanted_ && wanted_->empty()) wanted_.reset();
     const bool any = !wanted_;
     if (wanted_ == kNoLabel) wanted_ = "";
-    while (ready_.size() < kLookahead && readRecord() && !isHopeless()) continue;
+    while (ready_.wantsMore() && readRecord() && !isHopeless()) continue;
     if (any && labels_.size() > 1)
       throw failure(fmt::format(
           "several lasers: {}; choose one by its label: [dataset] laser_label, as in --set "
@@ -44,18 +43,15 @@ class Steps : public StepSource {
   }
 
   std::optional<models::SensorStep> next() override {
-    while (ready_.empty())
-      if (!readRecord()) {
-        refuseWhenMostAreLost(counts_.steps);
-        return std::nullopt;
-      }
-    models::SensorStep step = std::move(ready_.front());
-    ready_.pop_front();
-    checkBeams(*step.scan, counts_);
-    ++counts_.steps;
+    while (ready_.wantsMore() && readRecord()) {
+    }
+    auto step = ready_.pop();
+    if (!step) refuseWhenMostAreLost(counts_.steps);
     return step;
   }
-  double fraction() const override { return records_->fraction(); }
+  double fraction() const override {
+    return ended_ && ready_.empty() ? records_->fraction() : ready_.fraction();
+  }
   const DatasetCounts& counts() const override { return counts_; }
   const std::string& laserLabel() const override { return *wanted_; }
   std::vector<std::string> warnings() const override { return datasetWarnings(counts_, *records_); }
@@ -84,11 +80,11 @@ class Steps : public StepSource {
     while (auto passed = gate_.pop())
       track_.add(std::move(passed->second.step), passed->second.place);
     if (ended_) track_.finish();
-    while (auto step = track_.pop()) ready_.push_back(std::move(*step));
+    while (auto step = track_.pop()) ready_.push(std::move(*step), records_->fraction());
     counts_.scans_backwards = gate_.rejected();
     counts_.scan_clock = gate_.setBacks();
     counts_.lines_malformed = records_->malformedLines();
-    return record.has_value() || !ready_.empty();
+    return record.has_value();
   }
 
   void take(const OdometryIncrement& increment) { track_.add(increment); }
@@ -165,7 +161,7 @@ class Steps : public StepSource {
   };
   TimeGate<Placed> gate_;
   std::map<std::string, std::size_t> labels_;
-  std::deque<models::SensorStep> ready_;
+  ReadySteps ready_;
   std::string problem_;  ///< of the last scan that had none of the angles it needs
   double last_time_s_ = 0;
   bool ended_ = false;

@@ -29,7 +29,8 @@ InputFile::InputFile(const std::filesystem::path& path) : path_(path) {
   if (code) throw failure(path, code.message());
   file_ = gzopen(path.c_str(), "rb");
   if (file_ == nullptr) throw failure(path, std::strerror(errno));
-  gzbuffer(file_, 1 << 17);
+  // zlib unpacks twice as much at once: no more than a block, so that gzoffset is what was used.
+  gzbuffer(file_, kBlock / 2);
 }
 
 InputFile::~InputFile() { gzclose(file_); }
@@ -40,6 +41,8 @@ int InputFile::fill() {
   window_.resize(old_size + kBlock);
   const int got = gzread(file_, window_.data() + old_size, kBlock);
   window_.resize(old_size + static_cast<std::size_t>(std::max(got, 0)));
+  packed_before_ = packed_after_;
+  packed_after_ = std::max(gzoffset(file_), packed_before_);
   return got;
 }
 
@@ -68,11 +71,12 @@ bool InputFile::more() {
   const int got = fill();
   if (got > 0) {
     makePlain(old_size);
-    end_offset_ += window_.size() - old_size;
-    return true;
+  } else if (decoder_) {
+    decoder_->finish(window_);
   }
-  if (decoder_) decoder_->finish(window_);
-  end_offset_ += window_.size() - old_size;
+  last_block_ = window_.size() - old_size;
+  end_offset_ += last_block_;
+  if (got > 0) return true;
   // Only now: zlib reports an early end long before the last bytes are out.
   at_end_ = true;
   int code = Z_OK;
@@ -118,8 +122,14 @@ bool InputFile::line(std::string_view& out, bool& too_long) {
 
 double InputFile::fraction() const {
   if (at_end_ && begin_ == window_.size()) return 1;
-  const double done = static_cast<double>(gzoffset(file_));
-  return packed_size_ == 0 ? 1 : std::clamp(done / static_cast<double>(packed_size_), 0.0, 1.0);
+  if (packed_size_ == 0) return 1;
+  // Of the last block's share of the packed file, as much as was used of the block.
+  const std::size_t left = std::min(window_.size() - begin_, last_block_);
+  const double used =
+      last_block_ == 0 ? 1 : 1 - static_cast<double>(left) / static_cast<double>(last_block_);
+  const double done = static_cast<double>(packed_before_) +
+                      used * static_cast<double>(packed_after_ - packed_before_);
+  return std::clamp(done / static_cast<double>(packed_size_), 0.0, 1.0);
 }
 
 }  // namespace ariadne::io

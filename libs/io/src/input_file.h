@@ -33,7 +33,7 @@ class InputFile {
 
   /// Unpacked bytes before this point.
   std::uint64_t offset() const { return end_offset_ - (window_.size() - begin_); }
-  /// Share of the packed file that was read.
+  /// Share of the packed file that the bytes before this point came from.
   double fraction() const;
   /// Why the bytes ended early (damaged compression, a failing disk); empty when they did not.
   const std::string& trouble() const { return trouble_; }
@@ -52,6 +52,8 @@ class InputFile {
   bool started_ = false;
   std::size_t begin_ = 0;
   std::uint64_t end_offset_ = 0;
+  std::size_t last_block_ = 0;
+  z_off_t packed_before_ = 0, packed_after_ = 0;  ///< the last block came from between
   bool at_end_ = false;
   std::string trouble_;
 };

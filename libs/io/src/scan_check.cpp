@@ -1,5 +1,6 @@
 #include "scan_check.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ariadne::io {
@@ -16,6 +17,17 @@ bool isRotation(const mrpt::math::CMatrixDouble33& r) {
       if (!(std::abs(dot - (i == j ? 1 : 0)) < 1e-3)) return false;
     }
   return true;
+}
+
+void countNoReturn(float range, float own_max_m, bool called_valid, const BeamLimits& limits,
+                   DatasetCounts& counts) {
+  if (range < own_max_m) {
+    ++counts.beams_no_return;
+    ++counts.beams_over_reach;
+    if (range >= limits.reach_m) ++counts.no_return_codes_mm[std::lround(range * 1000)];
+  } else {
+    ++(called_valid && range > own_max_m ? counts.beams_out_of_range : counts.beams_no_return);
+  }
 }
 
 }  // namespace
@@ -35,18 +47,27 @@ bool repairGeometry(mrpt::obs::CObservation2DRangeScan& scan) {
          away < kFarthestLaser_m && isRotation(pose.getRotationMatrix());
 }
 
-void checkBeams(mrpt::obs::CObservation2DRangeScan& scan, DatasetCounts& counts) {
+void checkBeams(mrpt::obs::CObservation2DRangeScan& scan, const BeamLimits& limits,
+                DatasetCounts& counts) {
+  const float own_max_m = scan.maxRange;
+  if (limits.max_range_m > 0) scan.maxRange = limits.max_range_m;
+  const float reach_m = std::min(scan.maxRange, limits.reach_m);
   const std::size_t size = scan.getScanSize();
   counts.beams += size;
   for (std::size_t i = 0; i < size; ++i) {
     float& range = scan.getScanRange(i);
     const bool called_valid = scan.getScanRangeValidity(i);
-    if (called_valid && range > 0 && range < scan.maxRange) continue;
+    // What lies beyond the file's own maximum is called invalid for that reason alone.
+    const bool believed = called_valid || range >= own_max_m;
+    if (believed && range > 0 && range >= limits.min_range_m && range < reach_m) {
+      if (!called_valid) scan.setScanRangeValidity(i, true);
+      continue;
+    }
     scan.setScanRangeValidity(i, false);
-    if (range >= scan.maxRange) {
-      ++(called_valid && range > scan.maxRange ? counts.beams_out_of_range
-                                               : counts.beams_no_return);
-      if (!std::isfinite(range)) range = scan.maxRange;  // how ROS says "nothing there"
+    if (range >= reach_m) {
+      countNoReturn(range, own_max_m, called_valid, limits, counts);
+      // Infinite is how ROS says "nothing there".
+      range = std::isfinite(range) ? std::max(range, scan.maxRange) : scan.maxRange;
       continue;
     }
     if (std::isnan(range))
@@ -55,6 +76,8 @@ void checkBeams(mrpt::obs::CObservation2DRangeScan& scan, DatasetCounts& counts)
       ++counts.beams_negative;
     else if (range == 0)
       ++counts.beams_zero;
+    else if (called_valid)
+      ++counts.beams_too_near;
     else
       ++counts.beams_flagged;
     range = 0;

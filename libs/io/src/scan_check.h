@@ -1,5 +1,7 @@
 // Makes any scan keep StepSource's contract, or says that it cannot.
 #pragma once
+#include <limits>
+
 #include "ariadne/io/dataset.h"
 
 namespace ariadne::io {
@@ -11,7 +13,16 @@ bool isPlanar(const mrpt::obs::CObservation2DRangeScan& scan);
 /// replaced by 80 m.
 bool repairGeometry(mrpt::obs::CObservation2DRangeScan& scan);
 
+/// What of a scan is believed, m.
+struct BeamLimits {
+  float min_range_m = 0;  ///< nearer readings are bad
+  float max_range_m = 0;  ///< over 0: in place of the scan's own maximum range
+  /// Readings at or over this are no return, below the maximum range as well.
+  float reach_m = std::numeric_limits<float>::infinity();
+};
+
 /// Marks bad beams as StepSource promises, and counts them.
-void checkBeams(mrpt::obs::CObservation2DRangeScan& scan, DatasetCounts& counts);
+void checkBeams(mrpt::obs::CObservation2DRangeScan& scan, const BeamLimits& limits,
+                DatasetCounts& counts);
 
 }  // namespace ariadne::io

@@ -11,11 +11,14 @@ namespace ariadne::io {
 /// The words of a line, split at blanks; `fields` is reused so that a log costs no allocations.
 inline void splitFields(std::string_view line, std::vector<std::string_view>& fields) {
   fields.clear();
-  constexpr std::string_view kBlanks = " \t\r\v\f";
-  for (std::size_t begin = line.find_first_not_of(kBlanks); begin != line.npos;) {
-    const std::size_t end = std::min(line.find_first_of(kBlanks, begin), line.size());
-    fields.push_back(line.substr(begin, end - begin));
-    begin = line.find_first_not_of(kBlanks, end);
+  const auto is_blank = [](char c) {
+    return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+  };
+  for (auto at = line.begin();;) {
+    const auto begin = std::find_if_not(at, line.end(), is_blank);
+    if (begin == line.end()) return;
+    at = std::find_if(begin, line.end(), is_blank);
+    fields.emplace_back(&*begin, static_cast<std::size_t>(at - begin));
   }
 }
 

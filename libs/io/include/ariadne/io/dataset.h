@@ -4,6 +4,7 @@
 #pragma once
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,6 +22,12 @@ struct DatasetOptions {
   /// Over 0: from the first to the last beam of a CARMEN log's lasers, degrees, whatever the log
   /// says; of an even number of beams the left end is missing (180 beams are -90 to 89 degrees).
   double field_of_view_deg = 0;
+  /// Readings at or over this are no return, m. 0: the file's maximum range (80 where it says
+  /// none), or the code for no return below it that the readings themselves give away.
+  double max_range_m = 0;
+  /// Readings under this are bad, m: error codes of Hokuyos are 1 to 19 mm, and a laser's housing
+  /// is wider than 3 cm.
+  double min_range_m = 0.03;
 };
 
 /// How often a clock was set back or started over, and the stamps about the first time.
@@ -39,7 +46,16 @@ struct DatasetCounts {
   std::size_t beams_nan = 0;
   std::size_t beams_zero = 0;
   std::size_t beams_negative = 0;
-  std::size_t beams_flagged = 0;  ///< called invalid in the file, range within reach
+  std::size_t beams_too_near = 0;  ///< under DatasetOptions::min_range_m
+  std::size_t beams_flagged = 0;   ///< called invalid in the file, range within reach
+
+  /// Where no return begins, m: max_range_m as set, or the code that was recognised; 0: neither.
+  double no_return_from_m = 0;
+  std::size_t no_return_from_step = 0;  ///< the first step that it was known for
+  /// Of beams_no_return, those below the file's own maximum range.
+  std::size_t beams_over_reach = 0;
+  /// How often each of these was met where a code was recognised, by millimetres.
+  std::map<long, std::size_t> no_return_codes_mm;
 
   std::size_t scans_backwards = 0;      ///< skipped: one stamp out of order, behind or ahead
   std::size_t scans_not_planar = 0;     ///< skipped: laser tilted by more than 5 degrees
