@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ariadne/checks/checks.h"
 #include "ariadne/core/error.h"
 #include "ariadne/io/dataset_records.h"
 
@@ -13,6 +14,7 @@ namespace {
 
 constexpr double kDegrees = 180 / M_PI;
 constexpr double kTilt_deg = 5;
+constexpr double kLeastReturns = 0.1;  // default of [update] least_returns
 
 void describe(LaserInfo& laser, const mrpt::obs::CObservation2DRangeScan& scan) {
   const auto& pose = scan.sensorPose;
@@ -61,21 +63,23 @@ void followSteps(DatasetInfo& info, io::StepSource& steps,
                  const std::function<void(double)>& progress) {
   std::optional<models::SensorStep> before;
   double left = 0, right = 0, bottom = 0, top = 0, set_back_s = 0;
+  checks::DriveWatch watch({}, kLeastReturns);
   while (auto step = steps.next()) {
     const auto& pose = step->odom_from_robot;
-    if (before) {
+    watch.add(*step);
+    if (before && !step->odometry_jumped) {
       const auto& last = before->odom_from_robot;
       const double length = std::hypot(pose.x - last.x, pose.y - last.y);
       info.path_length_m += length;
       info.longest_step_m = std::max(info.longest_step_m, length);
-      set_back_s += std::max(0.0, before->time_s - step->time_s);
-      info.duration_s = step->time_s - info.begin_s + set_back_s;
       info.turned_deg += std::abs(std::remainder(pose.phi - last.phi, 2 * M_PI)) * kDegrees;
-    } else {
+    } else if (!before) {
       info.begin_s = step->time_s;
       left = right = pose.x;
       bottom = top = pose.y;
     }
+    if (before) set_back_s += std::max(0.0, before->time_s - step->time_s);
+    info.duration_s = step->time_s - info.begin_s + set_back_s;
     left = std::min(left, pose.x);
     right = std::max(right, pose.x);
     bottom = std::min(bottom, pose.y);
@@ -88,6 +92,10 @@ void followSteps(DatasetInfo& info, io::StepSource& steps,
   info.height_m = top - bottom;
   info.counts = steps.counts();
   info.warnings = steps.warnings();
+  const auto& c = info.counts;
+  const auto findings =
+      checks::checkLog(watch.figures(), c.scans_backwards + c.scans_not_planar + c.scans_malformed);
+  for (const std::string& w : checks::warningsOf(findings)) info.warnings.push_back(w);
 }
 
 }  // namespace

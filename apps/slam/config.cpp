@@ -57,6 +57,7 @@ io::DatasetOptions optionsOf(const DatasetParams& params) {
   options.field_of_view_deg = params.field_of_view_deg;
   options.max_range_m = params.max_range_m;
   options.min_range_m = params.min_range_m;
+  options.use_odometry = params.odometry == OdometrySource::log;
   return options;
 }
 

@@ -10,8 +10,12 @@
 
 namespace ariadne::slam_app {
 
+/// Where the odometry comes from: the log, or scan after scan matched to the last ones.
+enum class OdometrySource { log, scans };
+
 struct DatasetParams {
   std::string file;
+  OdometrySource odometry = OdometrySource::log;
   std::string laser_label;
   double field_of_view_deg = 0;
   double max_range_m = 0;
@@ -23,6 +27,11 @@ void visitFields(V& v, DatasetParams& p) {
   v.text("file", p.file,
          "log to map: MRPT rawlog or CARMEN log, gzip or not; a relative path starts at the INI's "
          "folder, or at the current one on the command line");
+  v.choice(
+      "odometry", p.odometry,
+      core::Choices<OdometrySource>{{"log", OdometrySource::log}, {"scans", OdometrySource::scans}},
+      "the log's own; or made by matching scan after scan, for logs without any or with one "
+      "that is wrong");
   v.text("laser_label", p.laser_label,
          "laser to use, where the log has several (ariadne-dataset info lists them)");
   v.number(

@@ -1,6 +1,9 @@
 #include "mapping.h"
 
 #include <chrono>
+#include <optional>
+
+#include "ariadne/models/scan_odometry.h"
 
 namespace ariadne::slam_app {
 namespace {
@@ -13,15 +16,22 @@ double secondsSince(Clock::time_point start) {
 
 }  // namespace
 
-MappingRecord mapSteps(io::StepSource& source, slam::Mapper& mapper, const Interrupt& interrupt,
-                       Progress& progress, const UpdateListener& listener) {
+MappingRecord mapSteps(io::StepSource& source, slam::Mapper& mapper, const SlamConfig& config,
+                       const Interrupt& interrupt, Progress& progress,
+                       const UpdateListener& listener) {
   MappingRecord record;
+  checks::DriveWatch watch(config.slam.grid, config.slam.update.least_returns);
+  std::optional<models::ScanOdometry> by_scans;
+  if (config.dataset.odometry == OdometrySource::scans)
+    by_scans.emplace(config.slam.grid, config.slam.matcher, config.slam.filter.proposal_gain);
   const Clock::time_point start = Clock::now();
   while ((record.signal = interrupt.signal()) == 0) {
     const Clock::time_point before_reading = Clock::now();
-    const auto step = source.next();
+    auto step = source.next();
     record.reading_s += secondsSince(before_reading);
     if (!step) break;
+    if (by_scans) step->odom_from_robot = by_scans->add(*step);
+    watch.add(*step);
     record.odometry.push_back({step->time_s, step->odom_from_robot});
     if (const auto report = mapper.process(*step)) {
       record.reports.push_back(*report);
@@ -32,6 +42,8 @@ MappingRecord mapSteps(io::StepSource& source, slam::Mapper& mapper, const Inter
     }
   }
   progress.finish();
+  record.drive = watch.figures();
+  if (by_scans) record.scans_lost = by_scans->lost();
   record.total_s = secondsSince(start);
   return record;
 }

@@ -3,9 +3,11 @@
 #include <functional>
 #include <vector>
 
+#include "ariadne/checks/drive_watch.h"
 #include "ariadne/io/dataset.h"
 #include "ariadne/models/stamped_pose.h"
 #include "ariadne/slam/mapper.h"
+#include "config.h"
 #include "interrupt.h"
 #include "progress.h"
 
@@ -14,8 +16,10 @@ namespace ariadne::slam_app {
 struct MappingRecord {
   std::vector<slam::StepReport> reports;  ///< one a filter update
   models::Trajectory odometry;            ///< odom_from_robot at every step
-  double reading_s = 0;                   ///< wall clock, within total_s
-  double recording_s = 0;                 ///< the listener's, within total_s
+  checks::DriveFigures drive;
+  std::size_t scans_lost = 0;  ///< of odometry by scans: those that fitted nowhere
+  double reading_s = 0;        ///< wall clock, within total_s
+  double recording_s = 0;      ///< the listener's, within total_s
   double total_s = 0;
   int signal = 0;  ///< that stopped the run early, 0 if none
 };
@@ -23,8 +27,10 @@ struct MappingRecord {
 /// Called after each filter update.
 using UpdateListener = std::function<void(const slam::StepReport&)>;
 
-/// Maps until the steps end or a signal comes.
-MappingRecord mapSteps(io::StepSource& source, slam::Mapper& mapper, const Interrupt& interrupt,
-                       Progress& progress, const UpdateListener& listener);
+/// Maps until the steps end or a signal comes. With odometry from the scans the steps' own is not
+/// read, and the record's is what was made.
+MappingRecord mapSteps(io::StepSource& source, slam::Mapper& mapper, const SlamConfig& config,
+                       const Interrupt& interrupt, Progress& progress,
+                       const UpdateListener& listener);
 
 }  // namespace ariadne::slam_app

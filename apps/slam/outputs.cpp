@@ -39,7 +39,9 @@ void writePath(const fs::path& file, const Material& m) {
 
 void writeOdometry(const fs::path& file, const Material& m) {
   io::writeTum(file, m.result.record.odometry,
-               {"odom_from_robot: the odometry as recorded, a pose at every scan",
+               {m.result.config.dataset.odometry == OdometrySource::log
+                    ? "odom_from_robot: the odometry as recorded, a pose at every scan"
+                    : "odom_from_robot: made by matching scan after scan, a pose at every scan",
                 "time_s x_m y_m z_m qx qy qz qw"});
 }
 

@@ -12,6 +12,7 @@
 #include "ariadne/io/output_folder.h"
 #include "ariadne/io/tum.h"
 #include "config.h"
+#include "judgement.h"
 #include "loop_counts.h"
 #include "loops_json.h"
 #include "mapping.h"
@@ -57,6 +58,7 @@ RunResult resultOf(MappingRecord record, const slam::Mapper& mapper, const io::S
   result.stages = mapper.times();
   result.path = mapper.path();
   result.closings = mapper.closings();
+  result.doubts = mapper.doubts();
   result.counts = source.counts();
   result.laser_label = source.laserLabel();
   result.warnings = resolved.warnings;
@@ -95,19 +97,17 @@ int mapDataset(const Options& options, ResolvedConfig resolved, std::ostream& ou
   Progress progress(err, progressStyle(options.quiet, err));
   report::ReplayRecorder recorder;
   MappingRecord record =
-      mapSteps(*source, mapper, interrupt, progress, recordingOf(config, mapper, recorder));
+      mapSteps(*source, mapper, config, interrupt, progress, recordingOf(config, mapper, recorder));
   record.reading_s += opened.count();
   record.total_s += opened.count();
-  if (mapper.updates() == 0)
-    throw core::Error(fmt::format(
-        "{}: {}: nothing to map", config.dataset.file,
-        record.signal != 0 ? "stopped before the first scan" : "no scan that can be used"));
+  if (mapper.updates() == 0) throw nothingMapped(config, record, mapper);
   warn(err, kName, source->warnings());
   if (record.signal != 0)
     fmt::print(err, "ariadne-slam: stopped after {} scans ({:.0f} % of the log); writing these\n",
                record.odometry.size(), 100 * source->fraction());
   RunResult result = resultOf(std::move(record), mapper, *source, resolved);
   const std::size_t told_already = result.warnings.size();
+  judge(result);
   for (const std::string& w : loopWarnings(result.closings)) result.warnings.push_back(w);
   compare(result, std::move(truth), options.truth);
   warn(

@@ -41,6 +41,18 @@ Json filterFigures(const std::vector<slam::StepReport>& reports) {
       {"matches_accepted_share", share(static_cast<double>(accepted), static_cast<double>(tried))}};
 }
 
+/// Each check's figure; what is out of bounds is told in the warnings.
+Json checkFigures(const RunResult& r) {
+  Json out;
+  for (const checks::Check& check : r.checks) out[check.name] = check.value;
+  out["odometry_jumps"] = {{"count", r.counts.odometry_jumps.count},
+                           {"told_by_scan", r.doubts.jumps_by_scan},
+                           {"told_by_odometry", r.doubts.jumps_by_odometry},
+                           {"guessed", r.doubts.jumps_guessed}};
+  out["clock_set_back"] = r.counts.scan_clock.count;
+  return out;
+}
+
 Json loopFigures(const std::vector<slam::ClosingRecord>& closings) {
   const LoopCounts n = countLoops(closings);
   return {{"detected", n.detected}, {"closed", n.closed}, {"recovered", n.recovered}};
@@ -53,7 +65,7 @@ Json datasetFigures(const RunResult& r) {
           {"laser", r.laser_label},
           {"scans", odometry.size()},
           {"duration_s", models::durationOf(odometry)},
-          {"odometry_length_m", lengthOf(odometry)},
+          {"odometry_length_m", r.record.drive.odometry_m},
           {"beams", c.beams},
           {"beams_no_return", c.beams_no_return},
           {"no_return_from_m", c.no_return_from_m > 0 ? Json(c.no_return_from_m) : Json()},
@@ -105,6 +117,7 @@ Json summaryOf(const RunResult& result, double writing_s, const std::vector<std:
           {"filter", filterFigures(result.record.reports)},
           {"loops", loopFigures(result.closings)},
           {"path_length_m", lengthOf(result.path)},
+          {"checks", checkFigures(result)},
           {"ate_rmse_m", result.truth ? Json(result.truth->ate_rmse_m) : Json()},
           {"costs", costs(result, writing_s)},
           {"warnings", result.warnings},

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ariadne/checks/checks.h"
 #include "ariadne/io/dataset.h"
 #include "ariadne/io/ini_writer.h"
 #include "ariadne/report/replay.h"
@@ -20,7 +21,9 @@ struct RunResult {
   MappingRecord record;
   slam::StageTimes stages;
   std::vector<slam::ClosingRecord> closings;
-  models::Trajectory path;  ///< of s*, one pose a scan
+  slam::DoubtCounts doubts;
+  std::vector<checks::Check> checks;  ///< their warnings are among the warnings
+  models::Trajectory path;            ///< of s*, one pose a scan
   io::DatasetCounts counts;
   std::string laser_label;
   std::vector<std::string> warnings;

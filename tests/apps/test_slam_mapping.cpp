@@ -34,7 +34,7 @@ TEST(SlamAppInterrupt, StopsAfterTheStepAndKeepsWhatThereIs) {
   slam_app::Progress progress(nowhere, slam_app::ProgressStyle::none);
   Endless source;
   const auto record =
-      slam_app::mapSteps(source, mapper, interrupt, progress, [](const slam::StepReport&) {});
+      slam_app::mapSteps(source, mapper, {}, interrupt, progress, [](const slam::StepReport&) {});
   EXPECT_EQ(record.signal, SIGINT);
   EXPECT_EQ(record.odometry.size(), 4U);
 }

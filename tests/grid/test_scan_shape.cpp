@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "ariadne/grid/scan_shape.h"
 #include "scans.h"
 
@@ -76,4 +78,53 @@ TEST(ScanShape, OneBeamOrNoneIsNoArea) {
   for (std::size_t n : {0U, 1U})
     EXPECT_TRUE(
         grid::makeScanShape(test::scanOf(n, [](std::size_t) { return 3.0; }), {}).outline.empty());
+}
+
+namespace {
+
+/// A wall 2 m to the left and nothing else, seen up to 8 m: by 76 of 181 beams.
+mrpt::obs::CObservation2DRangeScan wallAlongside() {
+  auto scan = test::scanOf(181, [](std::size_t i) {
+    const double across = std::sin((static_cast<double>(i) - 90) * M_PI / 180);
+    return across > 0 && 2 / across < 8 ? 2 / across : 8.0;
+  });
+  scan.maxRange = 8;
+  for (std::size_t i = 0; i < 181; ++i) scan.setScanRangeValidity(i, scan.getScanRange(i) < 8);
+  return scan;
+}
+
+}  // namespace
+
+TEST(ScanFeatures, LeaveOutWhereReachEndsAWall) {
+  auto scan = wallAlongside();
+  for (std::size_t i = 140; i < 181; ++i) scan.setScanRangeValidity(i, false);
+  for (std::size_t i = 140; i < 181; ++i) scan.setScanRange(i, 0);  // bad beams, no horizon
+  const auto all = grid::scanPoints(scan, 30);
+  const auto kept = grid::scanFeatures(scan, 30);
+  ASSERT_GT(all.size(), 10U);
+  ASSERT_LT(kept.size(), all.size());
+  const double end_m = all.front().x;  // beams go round from the right, the far end comes first
+  EXPECT_GT(end_m, 7);
+  for (const auto& p : all) {
+    const bool cut_off = end_m - p.x < 0.5;
+    const bool is_kept = std::any_of(kept.begin(), kept.end(),
+                                     [&](const auto& k) { return k.x == p.x && k.y == p.y; });
+    EXPECT_NE(cut_off, is_kept) << p.x;
+  }
+}
+
+TEST(ScanFeatures, AreAllPointsWhereManyBeamsReturned) {
+  const auto scan = test::randomScan(3);
+  EXPECT_EQ(grid::scanFeatures(scan, 100).size(), grid::scanPoints(scan, 100).size());
+  const auto wall = wallAlongside();
+  EXPECT_EQ(grid::scanFeatures(wall, 30).size(), grid::scanPoints(wall, 30).size());
+  EXPECT_LT(grid::scanFeatures(wall, 30, 1).size(), grid::scanPoints(wall, 30).size());
+}
+
+TEST(ScanFeatures, APillarIsKeptWhole) {
+  auto scan = test::scanOf(181, [](std::size_t i) { return i >= 80 && i < 90 ? 2 : 8.0; });
+  scan.maxRange = 8;
+  EXPECT_EQ(grid::scanFeatures(scan, 30).size(), 10U);
+  const auto none = test::scanOf(181, [](std::size_t) { return 100.0; });
+  EXPECT_TRUE(grid::scanFeatures(none, 30).empty());
 }

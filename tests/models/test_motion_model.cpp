@@ -58,3 +58,58 @@ TEST(Motion, CovarianceTurnsWithTheRobot) {
   EXPECT_NEAR(ahead(0, 0), turned(1, 1), 1e-12);
   EXPECT_NEAR(ahead(1, 1), turned(0, 0), 1e-12);
 }
+
+namespace {
+
+/// Sample covariance of `draw(i)` about `mean`.
+template <class Draw>
+Eigen::Matrix3d sampleCovariance(int n, const TPose2D& mean, Draw&& draw) {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (int i = 0; i < n; ++i) {
+    const TPose2D s = draw(i);
+    const Eigen::Vector3d d(s.x - mean.x, s.y - mean.y, std::remainder(s.phi - mean.phi, 2 * M_PI));
+    sum += d * d.transpose();
+  }
+  return sum / n;
+}
+
+void expectAlike(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b, double share) {
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      EXPECT_NEAR(a(i, j), b(i, j), share * std::sqrt(b(i, i) * b(j, j))) << i << j;
+}
+
+core::RandomStream streamOf(int i, std::uint32_t what) {
+  return {1, what, static_cast<std::uint32_t>(i), core::Purpose::motion};
+}
+
+}  // namespace
+
+TEST(Motion, TakesAGivenCovariance) {
+  Eigen::Matrix3d given;
+  given << 0.04, 0.01, 0.002, 0.01, 0.09, -0.003, 0.002, -0.003, 0.01;
+  const models::Motion motion({0.5, 0.1, 0.3}, given);
+  expectAlike(motion.covariance({0, 0, 0}), given, 1e-12);
+  const TPose2D before(3, 1, 0.7);
+  const auto drawn = sampleCovariance(20000, motion.mean(before), [&](int i) {
+    auto rng = streamOf(i, 0);
+    return motion.sample(before, rng);
+  });
+  expectAlike(drawn, motion.covariance(before), 0.05);
+}
+
+// Against samples of one motion behind the other. To first order: the noise is small, and the bound
+// is that of the sampling as above.
+TEST(Motion, ComposedCovarianceIsThatOfBoth) {
+  const models::MotionParams params;
+  const models::Motion first({0.3, 0.1, 0.2}, params), second({0.4, 0, -0.1}, params);
+  const TPose2D start(0, 0, 0), between = first.mean(start);
+  const auto expected = models::composedCovariance(between, first.covariance(start), {0.4, 0, -0.1},
+                                                   second.covariance(start));
+  const auto drawn = sampleCovariance(20000, second.mean(between), [&](int i) {
+    auto rng = streamOf(i, 1);
+    auto other = streamOf(i, 2);
+    return second.sample(first.sample(start, rng), other);
+  });
+  expectAlike(drawn, expected, 0.05);
+}

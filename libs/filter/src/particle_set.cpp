@@ -39,6 +39,19 @@ CParticleFilter::TParticleFilterOptions particleFilterOptions(const FilterParams
   return options;
 }
 
+namespace {
+
+/// With the action's own covariance where it has one.
+models::Motion motionOf(const mrpt::obs::CActionRobotMovement2D& movement,
+                        const models::MotionParams& params) {
+  const auto [covariance, mean] = movement.poseChange->getCovarianceAndMean();
+  const Eigen::Matrix3d given = covariance.asEigen();
+  if (given.isZero(0)) return {mean.asTPose(), params};
+  return {mean.asTPose(), given};
+}
+
+}  // namespace
+
 ParticleSet::ParticleSet(const FilterModels& models, const core::Parallel& parallel,
                          const mrpt::math::TPose2D& start, const grid::OccupancyGrid& map)
     : models_(models),
@@ -94,8 +107,8 @@ void ParticleSet::predictMatchWeigh(const mrpt::obs::CActionCollection* action,
   const auto scan = observation->getObservationByClass<mrpt::obs::CObservation2DRangeScan>();
   const auto movement = action->getActionByClass<mrpt::obs::CActionRobotMovement2D>();
   ASSERT_(scan && movement);
-  const models::Motion motion(movement->poseChange->getMeanVal().asTPose(), models_.motion);
-  points_ = grid::thinned(grid::scanPoints(*scan, models_.grid.insert_range_m),
+  const models::Motion motion = motionOf(*movement, models_.motion);
+  points_ = grid::thinned(grid::scanFeatures(*scan, models_.grid.insert_range_m),
                           static_cast<std::size_t>(models_.matcher.max_beams));
   shape_ = grid::makeScanShape(*scan, models_.grid);
   figures_ = {};

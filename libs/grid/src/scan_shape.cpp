@@ -9,6 +9,10 @@ namespace {
 using mrpt::math::TPoint2D;
 using mrpt::obs::CObservation2DRangeScan;
 
+// Of scanFeatures(); see there.
+constexpr double kNearReach = 0.8;
+constexpr double kWallEnd_m = 0.5;
+
 /// Maps (range, angle) in the laser's plane to the robot's frame, seen from above.
 class LaserFrame {
  public:
@@ -45,6 +49,16 @@ BeamAngles beamAngles(const CObservation2DRangeScan& scan) {
 bool returned(const CObservation2DRangeScan& scan, std::size_t i) {
   const float range = scan.getScanRange(i);
   return scan.getScanRangeValidity(i) && std::isfinite(range) && range > 0 && range < scan.maxRange;
+}
+
+/// f(beam, its end) for each beam that returned within (0, max_range_m).
+template <class F>
+void forEachReturn(const CObservation2DRangeScan& scan, double max_range_m, F&& f) {
+  const LaserFrame laser(scan.sensorPose);
+  const BeamAngles angles = beamAngles(scan);
+  for (std::size_t i = 0; i < scan.getScanSize(); ++i)
+    if (returned(scan, i) && scan.getScanRange(i) < max_range_m)
+      f(i, laser.point(scan.getScanRange(i), angles.at(i)));
 }
 
 double freeRange(const CObservation2DRangeScan& scan, std::size_t i, const GridParams& params) {
@@ -87,14 +101,39 @@ ScanShape makeScanShape(const CObservation2DRangeScan& scan, const GridParams& p
 }
 
 std::vector<TPoint2D> scanPoints(const CObservation2DRangeScan& scan, double max_range_m) {
-  const LaserFrame laser(scan.sensorPose);
-  const BeamAngles angles = beamAngles(scan);
   std::vector<TPoint2D> points;
   points.reserve(scan.getScanSize());
-  for (std::size_t i = 0; i < scan.getScanSize(); ++i)
-    if (returned(scan, i) && scan.getScanRange(i) < max_range_m)
-      points.push_back(laser.point(scan.getScanRange(i), angles.at(i)));
+  forEachReturn(scan, max_range_m, [&](std::size_t, const TPoint2D& p) { points.push_back(p); });
   return points;
+}
+
+std::vector<TPoint2D> scanFeatures(const CObservation2DRangeScan& scan, double max_range_m,
+                                   double few) {
+  const std::size_t n = scan.getScanSize();
+  std::vector<TPoint2D> points;
+  std::vector<std::size_t> beams;
+  points.reserve(n);
+  beams.reserve(n);
+  forEachReturn(scan, max_range_m, [&](std::size_t beam, const TPoint2D& p) {
+    points.push_back(p);
+    beams.push_back(beam);
+  });
+  if (static_cast<double>(points.size()) >= few * static_cast<double>(n)) return points;
+  std::vector<bool> cut_off(points.size(), false);
+  for (std::size_t end = 0; end < points.size(); ++end)
+    for (const int inward : {1, -1}) {
+      // Counting down from 0 leaves the range of both, as counting up past the end does.
+      const std::size_t beyond = beams[end] - static_cast<std::size_t>(inward);
+      if (beyond >= n || scan.getScanRange(beyond) < scan.maxRange) continue;
+      if (scan.getScanRange(beams[end]) < kNearReach * scan.maxRange) continue;
+      for (std::size_t i = end; i < points.size() && (points[i] - points[end]).norm() < kWallEnd_m;
+           i += static_cast<std::size_t>(inward))
+        cut_off[i] = true;
+    }
+  std::vector<TPoint2D> kept;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!cut_off[i]) kept.push_back(points[i]);
+  return kept;
 }
 
 }  // namespace ariadne::grid

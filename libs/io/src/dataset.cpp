@@ -27,7 +27,7 @@ class Steps : public StepSource {
       : path_(path),
         records_(openRecords(path, options)),
         wanted_(options.laser_label),
-        track_(counts_),
+        track_(counts_, options.use_odometry),
         ready_(options, counts_) {
     if (wanted_ && wanted_->empty()) wanted_.reset();
     const bool any = !wanted_;

@@ -10,6 +10,14 @@
 namespace ariadne::io {
 namespace {
 
+void tellOfJumps(const OdometryJumps& jumps, std::vector<std::string>& lines) {
+  if (jumps.count > 0)
+    lines.push_back(fmt::format(
+        "the odometry jumped {} times, first by {:.2f} m and {:.0f} degrees in {:.3f} s to scan {} "
+        "(stamp {:.3f}): it was reset, or the robot was carried; these steps are not believed",
+        jumps.count, jumps.distance_m, jumps.turn_deg, jumps.span_s, jumps.scan, jumps.time_s));
+}
+
 void tellOfClocks(const DatasetCounts& counts, std::vector<std::string>& lines) {
   const ClockSetBacks& scans = counts.scan_clock;
   if (scans.count > 0)
@@ -78,6 +86,7 @@ std::vector<std::string> datasetWarnings(const DatasetCounts& counts, const Reco
     if (count > 0) lines.push_back(fmt::format("{} {}", count, text));
   if (const std::string text = noReturnText(counts); !text.empty()) lines.push_back(text);
   tellOfClocks(counts, lines);
+  tellOfJumps(counts.odometry_jumps, lines);
   if (!records.damage().empty())
     lines.push_back(fmt::format("{}; what follows is lost", records.damage()));
   return lines;

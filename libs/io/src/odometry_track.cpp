@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ariadne/models/motion_model.h"
+
 namespace ariadne::io {
 namespace {
 
@@ -30,6 +32,7 @@ std::size_t difference(std::size_t a, std::size_t b) { return a > b ? a - b : b 
 }  // namespace
 
 bool OdometryTrack::useKind(Kind kind) {
+  if (kind_ == Kind::none) return false;
   if (kind_ == Kind::unknown) kind_ = kind;
   if (kind_ != kind) ++counts_.odometry_ignored;
   return kind_ == kind;
@@ -64,7 +67,7 @@ void OdometryTrack::add(const OdometryReading& reading) {
 bool OdometryTrack::poseOfScan(const std::optional<TPose2D>& line_pose, TPose2D& pose) {
   // While the kind is unknown nothing has moved yet, if increments are what will come.
   pose = sum_;
-  if (!line_pose) return true;
+  if (!line_pose || kind_ == Kind::none) return true;
   pose = *line_pose;
   if (!useKind(Kind::lines)) return false;
   if (isPossible(pose, kFarthest_m)) return true;
@@ -78,7 +81,11 @@ void OdometryTrack::finish() {
 }
 
 void OdometryTrack::takeReadings() {
-  while (auto reading = gate_.pop()) readings_.push_back(reading->second);
+  while (auto passed = gate_.pop()) {
+    Reading& reading = readings_.emplace_back(passed->second);
+    jumps_ += jumped_(reading.odom_from_robot, reading.time_s);
+    reading.jumps = jumps_;
+  }
   counts_.odometry_backwards = gate_.rejected();
   counts_.odometry_clock = gate_.setBacks();
   while (readings_.size() > kMostReadings) readings_.pop_front();  // a log without scans
@@ -137,6 +144,11 @@ bool OdometryTrack::locate(Waiting& scan) {
     const std::size_t nearest = nearestReading(scan);
     pair = Pair{nearest, nearest};
   }
+  if (readings_[pair->before].jumps != readings_[pair->after].jumps) {  // no way between the two
+    const bool later =
+        time_s - readings_[pair->before].time_s > readings_[pair->after].time_s - time_s;
+    (later ? pair->before : pair->after) = later ? pair->after : pair->before;
+  }
   const Reading& before = readings_[pair->before];
   const Reading& after = readings_[pair->after];
   const double span = after.time_s - before.time_s;
@@ -145,8 +157,21 @@ bool OdometryTrack::locate(Waiting& scan) {
   const double nearest_s =
       std::min(std::abs(time_s - before.time_s), std::abs(after.time_s - time_s));
   if (nearest_s > kGap_s) ++counts_.odometry_gaps;
+  scan.step.odometry_jumped = last_ && before.jumps != jumps_served_;
+  jumps_served_ = before.jumps;
   readings_.erase(readings_.begin(), readings_.begin() + static_cast<std::ptrdiff_t>(pair->before));
   return true;
+}
+
+void OdometryTrack::countJump(const models::SensorStep& step) {
+  OdometryJumps& jumps = counts_.odometry_jumps;
+  if (jumps.count++ > 0) return;
+  const TPose2D way = models::relativePose(last_->odom_from_robot, step.odom_from_robot);
+  jumps.scan = scans_;
+  jumps.time_s = step.time_s;
+  jumps.span_s = step.time_s - last_->time_s;
+  jumps.distance_m = std::hypot(way.x, way.y);
+  jumps.turn_deg = std::abs(way.phi) * 180 / M_PI;
 }
 
 std::optional<models::SensorStep> OdometryTrack::pop() {
@@ -154,6 +179,10 @@ std::optional<models::SensorStep> OdometryTrack::pop() {
   if (kind_ == Kind::readings && !locate(waiting_.front())) return std::nullopt;
   models::SensorStep step = std::move(waiting_.front().step);
   waiting_.pop_front();
+  if (kind_ != Kind::readings) step.odometry_jumped = jumped_(step.odom_from_robot, step.time_s);
+  ++scans_;
+  if (step.odometry_jumped) countJump(step);
+  last_ = {step.time_s, step.odom_from_robot, nullptr};
   return step;
 }
 

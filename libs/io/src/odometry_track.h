@@ -6,6 +6,7 @@
 
 #include "ariadne/io/dataset.h"
 #include "ariadne/io/dataset_records.h"
+#include "ariadne/models/odometry_jump.h"
 #include "time_gate.h"
 
 namespace ariadne::io {
@@ -16,7 +17,9 @@ namespace ariadne::io {
 /// it that stand nearest to the scan in the file are used.
 class OdometryTrack {
  public:
-  explicit OdometryTrack(DatasetCounts& counts) : counts_(counts) {}
+  /// @param use_odometry off: all poses are (0, 0, 0)
+  OdometryTrack(DatasetCounts& counts, bool use_odometry)
+      : counts_(counts), kind_(use_odometry ? Kind::unknown : Kind::none) {}
 
   void add(const OdometryIncrement& increment);
   void add(const OdometryReading& reading);
@@ -36,11 +39,12 @@ class OdometryTrack {
   std::size_t waiting() const { return waiting_.size(); }
 
  private:
-  enum class Kind { unknown, increments, readings, lines };
+  enum class Kind { none, unknown, increments, readings, lines };
   struct Reading {
     mrpt::math::TPose2D odom_from_robot;
     std::size_t number = 0;  ///< from 0
     double time_s = 0;
+    std::size_t jumps = 0;  ///< up to this one
   };
   struct Waiting {
     models::SensorStep step;
@@ -56,9 +60,10 @@ class OdometryTrack {
   std::optional<Pair> readingsAbout(const Waiting& scan) const;
   std::size_t nearestReading(const Waiting& scan) const;
   bool locate(Waiting& scan);
+  void countJump(const models::SensorStep& step);
 
   DatasetCounts& counts_;
-  Kind kind_ = Kind::unknown;
+  Kind kind_;
   mrpt::math::TPose2D sum_;
   std::optional<std::string> label_;
   std::size_t readings_read_ = 0;
@@ -66,6 +71,11 @@ class OdometryTrack {
   TimeGate<Reading> gate_;
   std::deque<Reading> readings_;  ///< none that scans to come could need is missing
   std::deque<Waiting> waiting_;
+  models::JumpDetector jumped_;
+  std::size_t jumps_ = 0;                   ///< of readings
+  std::size_t jumps_served_ = 0;            ///< up to the last scan that was given out
+  std::optional<models::SensorStep> last_;  ///< given out, without its scan
+  std::size_t scans_ = 0;
   bool finished_ = false;
 };
 

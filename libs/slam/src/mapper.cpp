@@ -19,6 +19,8 @@
 #include "ariadne/grid/conversion.h"
 #include "ariadne/slam/loop_closer.h"
 #include "ariadne/slam/pose_path.h"
+#include "dead_reckoning.h"
+#include "recapture.h"
 
 namespace ariadne::slam {
 namespace {
@@ -48,10 +50,11 @@ class Stopwatch {
   Clock::time_point start_;
 };
 
-mrpt::obs::CActionCollection actionOf(const TPose2D& increment) {
+/// @param covariance zero: the motion model's
+mrpt::obs::CActionCollection actionOf(const TPose2D& increment, const Eigen::Matrix3d& covariance) {
   mrpt::obs::CActionRobotMovement2D movement;
-  movement.poseChange.get_ptr() =
-      mrpt::poses::CPosePDFGaussian::Create(mrpt::poses::CPose2D(increment));
+  movement.poseChange.get_ptr() = mrpt::poses::CPosePDFGaussian::Create(
+      mrpt::poses::CPose2D(increment), mrpt::math::CMatrixDouble33(covariance));
   mrpt::obs::CActionCollection actions;
   actions.insert(movement);
   return actions;
@@ -81,36 +84,63 @@ struct Mapper::Impl {
       : params(validated(p)),
         parallel(std::make_shared<core::Parallel>(threads)),
         particles(modelsOf(params), *parallel, start, gridOf(known, params.grid)),
-        loops(params, *parallel) {
+        loops(params, *parallel),
+        reckoning(params.motion),
+        recapture(params.matcher, params.filter.proposal_gain) {
     particle_filter.m_options = filter::particleFilterOptions(params.filter);
   }
 
   bool due(const models::SensorStep& step) const {
     if (!step.scan) return false;
-    if (scans.empty()) return true;
-    const TPose2D moved = models::relativePose(last_update_odom, step.odom_from_robot);
+    const auto& doubt = reckoning.doubt();
+    if (scans.empty() || (doubt && doubt->claimed)) return true;
+    const TPose2D moved = reckoning.sinceUpdate();
     return std::hypot(moved.x, moved.y) >= params.update.update_distance_m ||
            std::abs(moved.phi) >= mrpt::DEG2RAD(params.update.update_angle_deg);
   }
+  bool isBlind(const mrpt::obs::CObservation2DRangeScan& scan) const {
+    const auto returned = grid::scanPoints(scan, params.grid.insert_range_m).size();
+    return static_cast<double>(returned) <
+           params.update.least_returns * static_cast<double>(scan.getScanSize());
+  }
 
-  StepReport update(const models::SensorStep& step);
+  std::optional<Recaptured> recaptured(const mrpt::obs::CObservation2DRangeScan& scan);
+  StepReport update(const models::SensorStep& step, const TPose2D& motion,
+                    const Eigen::Matrix3d& covariance);
 
   SlamParams params;
   std::shared_ptr<core::Parallel> parallel;  // forks work on the same threads
   filter::ParticleSet particles;
   LoopCloser loops;
   mrpt::bayes::CParticleFilter particle_filter;
-  TPose2D last_update_odom;
+  DeadReckoning reckoning;
+  Recapture recapture;
+  DoubtCounts doubts;
   std::vector<OdometryRecord> records;
   std::vector<mrpt::obs::CObservation2DRangeScan::Ptr> scans;  // one an update
   StageTimes times;
   std::function<void()> before_recovery;
 };
 
-StepReport Mapper::Impl::update(const models::SensorStep& step) {
-  const TPose2D increment =
-      scans.empty() ? TPose2D() : models::relativePose(last_update_odom, step.odom_from_robot);
-  const auto action = actionOf(increment);
+/// The motion since the last update where the odometry alone does not tell it.
+std::optional<Recaptured> Mapper::Impl::recaptured(const mrpt::obs::CObservation2DRangeScan& scan) {
+  const auto& doubt = reckoning.doubt();
+  if (!doubt || scans.empty()) return std::nullopt;
+  Stopwatch watch(times.predict_s);
+  const Recaptured found =
+      recapture(particles[particles.best()], grid::scanFeatures(scan, params.grid.insert_range_m),
+                reckoning.sinceUpdate(), *doubt);
+  if (doubt->claimed) {
+    doubts.jumps_by_scan += found.by == Recaptured::By::scan;
+    doubts.jumps_by_odometry += found.by == Recaptured::By::odometry;
+    doubts.jumps_guessed += found.by == Recaptured::By::guess;
+  }
+  return found;
+}
+
+StepReport Mapper::Impl::update(const models::SensorStep& step, const TPose2D& motion,
+                                const Eigen::Matrix3d& covariance) {
+  const auto action = actionOf(motion, covariance);
   mrpt::obs::CSensoryFrame observation;
   observation.insert(step.scan);
 
@@ -134,7 +164,6 @@ StepReport Mapper::Impl::update(const models::SensorStep& step) {
     particles.insertScan(static_cast<std::size_t>(params.update.checkpoint_updates));
   }
   scans.push_back(step.scan);
-  last_update_odom = step.odom_from_robot;
   report.best = particles.best();
   {
     Stopwatch watch(times.loops_s);
@@ -156,11 +185,29 @@ Mapper::Mapper(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Mapper::~Mapper() = default;
 
 std::optional<StepReport> Mapper::process(const models::SensorStep& step) {
-  const bool due = impl_->due(step);
-  impl_->records.push_back(
-      {step.time_s, step.odom_from_robot, impl_->scans.size() + (due ? 1 : 0), due});
-  if (!due) return std::nullopt;
-  return impl_->update(step);
+  Impl& m = *impl_;
+  TPose2D here = m.reckoning.add(step);
+  const bool due = m.due(step);
+  const bool blind = due && m.isBlind(*step.scan);
+  if (blind) {
+    m.reckoning.passBlind();
+    ++m.doubts.blind_scans;
+  }
+  if (!due || blind) {
+    m.records.push_back({step.time_s, here, m.scans.size(), false});
+    return std::nullopt;
+  }
+  TPose2D motion = m.scans.empty() ? TPose2D() : m.reckoning.sinceUpdate();
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  if (const auto found = m.recaptured(*step.scan)) {
+    // Across a jump the odometry's own way is taken out of the path between the updates.
+    if (m.reckoning.doubt()->claimed) here = m.reckoning.afterUpdate(found->motion);
+    motion = found->motion;
+    covariance = found->covariance;
+  }
+  m.reckoning.update(here);
+  m.records.push_back({step.time_s, here, m.scans.size() + 1, true});
+  return m.update(step, motion, covariance);
 }
 
 std::unique_ptr<Mapper> Mapper::forkWithoutRecovery() const {
@@ -209,8 +256,7 @@ models::Trajectory Mapper::pathOf(std::size_t particle) const {
 TPose2D Mapper::pose() const {
   const TPose2D& last = impl_->particles[impl_->particles.best()].map_from_robot;
   if (impl_->scans.empty()) return last;
-  return models::compose(last, models::relativePose(impl_->last_update_odom,
-                                                    impl_->records.back().odom_from_robot));
+  return models::compose(last, impl_->reckoning.sinceUpdate());
 }
 
 const filter::ParticleSet& Mapper::particles() const { return impl_->particles; }
@@ -240,5 +286,6 @@ std::vector<const closing::Closing*> Mapper::openClosings() const {
 
 StageTimes Mapper::times() const { return impl_->times; }
 std::size_t Mapper::updates() const { return impl_->scans.size(); }
+const DoubtCounts& Mapper::doubts() const { return impl_->doubts; }
 
 }  // namespace ariadne::slam

@@ -1,5 +1,6 @@
 // The particle set, as mrpt::bayes::CParticleFilter drives it: predict, match and weigh behind
-// MRPT's prediction_and_update, resampling behind performSubstitution.
+// MRPT's prediction_and_update, resampling behind performSubstitution. An action whose motion has a
+// covariance is taken at its word; without one, the noise is that of the motion model.
 #pragma once
 #include <mrpt/bayes/CParticleFilterCapable.h>
 #include <mrpt/bayes/CParticleFilterData.h>

@@ -26,4 +26,14 @@ ScanShape makeScanShape(const mrpt::obs::CObservation2DRangeScan& scan, const Gr
 std::vector<mrpt::math::TPoint2D> scanPoints(const mrpt::obs::CObservation2DRangeScan& scan,
                                              double max_range_m);
 
+/// Under this share of returns a scan's ends of walls are left out of matching.
+constexpr double kFewReturns = 0.4;
+
+/// The points that a scan is matched by: as scanPoints(), but where under the share `few` of the
+/// beams returned without the last 0.5 m of walls that the laser's reach cuts off (no return next
+/// to a reading of over 80 % of maxRange). Such an end moves along with the robot; with few other
+/// beams, matching it to the end of the mapped wall would hold the robot back.
+std::vector<mrpt::math::TPoint2D> scanFeatures(const mrpt::obs::CObservation2DRangeScan& scan,
+                                               double max_range_m, double few = kFewReturns);
+
 }  // namespace ariadne::grid

@@ -28,6 +28,9 @@ struct DatasetOptions {
   /// Readings under this are bad, m: error codes of Hokuyos are 1 to 19 mm, and a laser's housing
   /// is wider than 3 cm.
   double min_range_m = 0.03;
+  /// Off: poses, increments and readings of the log are not looked at, all steps are at (0, 0, 0),
+  /// and a log without odometry is fine.
+  bool use_odometry = true;
 };
 
 /// How often a clock was set back or started over, and the stamps about the first time.
@@ -35,6 +38,16 @@ struct ClockSetBacks {
   std::size_t count = 0;
   double from_s = 0;
   double to_s = 0;
+};
+
+/// Steps of the odometry that no robot makes (models::JumpDetector), and the first of them.
+struct OdometryJumps {
+  std::size_t count = 0;
+  std::size_t scan = 0;  ///< that it led to, from 1
+  double time_s = 0;     ///< stamp of this scan
+  double span_s = 0;     ///< since the scan before
+  double distance_m = 0;
+  double turn_deg = 0;
 };
 
 /// What was met so far, final after the last step.
@@ -69,6 +82,7 @@ struct DatasetCounts {
   std::size_t lines_malformed = 0;  ///< of a text log, skipped
   ClockSetBacks scan_clock;         ///< nothing is skipped there
   ClockSetBacks odometry_clock;     ///< of readings
+  OdometryJumps odometry_jumps;     ///< SensorStep::odometry_jumped is set there
 };
 
 /// Steps in the file's order with the file's stamps. They go on (equal stamps are fine) except
@@ -78,6 +92,8 @@ struct DatasetCounts {
 /// range 0. The laser is planar (perhaps upside down): sensorPose says where it is on the robot.
 /// odom_from_robot is where the odometry has the robot at the scan's time: increments added up
 /// from the origin, or readings interpolated, or, in CARMEN logs, the robot's pose on the line.
+/// Where the odometry jumped, SensorStep::odometry_jumped says so; the pose is still the
+/// odometry's.
 class StepSource {
  public:
   virtual ~StepSource() = default;

@@ -6,6 +6,7 @@
 #include <mrpt/math/TPose2D.h>
 
 #include <Eigen/Dense>
+#include <optional>
 
 #include "ariadne/core/random.h"
 #include "ariadne/models/params.h"
@@ -17,11 +18,19 @@ mrpt::math::TPose2D relativePose(const mrpt::math::TPose2D& a, const mrpt::math:
 /// a (+) b, heading in (-pi, pi].
 mrpt::math::TPose2D compose(const mrpt::math::TPose2D& a, const mrpt::math::TPose2D& b);
 
+/// Covariance of a (+) b in the frame that a starts in, from those of a and b, each in its own.
+Eigen::Matrix3d composedCovariance(const mrpt::math::TPose2D& a, const Eigen::Matrix3d& of_a,
+                                   const mrpt::math::TPose2D& b, const Eigen::Matrix3d& of_b);
+
 /// One odometry increment, prepared once a step, used by every particle.
 class Motion {
  public:
   /// @param before_from_after odometry increment, m and rad, in the frame before the motion.
   Motion(const mrpt::math::TPose2D& before_from_after, const MotionParams& params);
+  /// A motion whose noise is known otherwise.
+  /// @param covariance of (x, y, heading) in the frame before the motion
+  Motion(const mrpt::math::TPose2D& before_from_after, const Eigen::Matrix3d& covariance)
+      : increment_(before_from_after), given_(covariance) {}
 
   /// Most likely pose after the motion.
   mrpt::math::TPose2D mean(const mrpt::math::TPose2D& before) const {
@@ -33,8 +42,9 @@ class Motion {
 
  private:
   mrpt::math::TPose2D increment_;
-  double direction_ = 0;   // of travel, in the frame before
-  Eigen::Vector3d sigma_;  // along, across, turn
+  double direction_ = 0;                             // of travel, in the frame before
+  Eigen::Vector3d sigma_ = Eigen::Vector3d::Zero();  // along, across, turn
+  std::optional<Eigen::Matrix3d> given_;             // instead of these
 };
 
 }  // namespace ariadne::models

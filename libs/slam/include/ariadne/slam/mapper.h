@@ -24,6 +24,14 @@ struct StageTimes {
   double loops_s = 0;    ///< graphs of places, detection, saving, recovery
 };
 
+/// Steps at which odometry and scan alone did not tell the way as usual.
+struct DoubtCounts {
+  std::size_t blind_scans = 0;        ///< due for an update, but hardly a beam returned: none made
+  std::size_t jumps_by_scan = 0;      ///< odometry jumped; the scan told where the robot was
+  std::size_t jumps_by_odometry = 0;  ///< odometry jumped; the scan fitted where it jumped to
+  std::size_t jumps_guessed = 0;      ///< odometry jumped; no scan told, the robot stayed
+};
+
 class Mapper {
  public:
   /// @param threads 0 takes one a core. Throws core::UsageError when a parameter is out of bounds.
@@ -36,7 +44,8 @@ class Mapper {
   Mapper& operator=(const Mapper&) = delete;
 
   /// Takes the next step, in time order. Returns the report when the filter was updated, nothing
-  /// when the robot has not moved far enough (the step then only adds to the path).
+  /// when the robot has not moved far enough or the scan shows nothing ([update] least_returns);
+  /// the step then only adds to the path, along the odometry.
   std::optional<StepReport> process(const models::SensorStep& step);
 
   /// `before` is called each time a closing has ended, before recovery (if it is on) replaces the
@@ -73,6 +82,7 @@ class Mapper {
   /// Those that are open, the outermost first; until the next step is processed.
   std::vector<const closing::Closing*> openClosings() const;
   StageTimes times() const;
+  const DoubtCounts& doubts() const;
   std::size_t updates() const;
 
  private:

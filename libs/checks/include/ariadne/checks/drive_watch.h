@@ -1,0 +1,41 @@
+// What a log's steps come to, gathered as they pass: what a result is judged against.
+#pragma once
+#include <cstddef>
+#include <optional>
+
+#include "ariadne/models/scan_odometry.h"
+#include "ariadne/models/sensor_step.h"
+
+namespace ariadne::checks {
+
+struct DriveFigures {
+  std::size_t scans = 0;
+  std::size_t blind_scans = 0;     ///< hardly a beam returned
+  std::size_t standing_scans = 0;  ///< by the scans the robot drove, while the odometry stood still
+  double odometry_m = 0;           ///< length, without the jumps
+};
+
+class DriveWatch {
+ public:
+  /// @param least_returns a scan is blind of which a smaller share of the beams returned within
+  /// grid.insert_range_m
+  DriveWatch(const grid::GridParams& grid, double least_returns)
+      : grid_(grid), least_returns_(least_returns) {}
+
+  void add(const models::SensorStep& step);
+  const DriveFigures& figures() const { return figures_; }
+
+ private:
+  bool isBlind(const mrpt::obs::CObservation2DRangeScan& scan) const;
+  void stand(const models::SensorStep& step);
+
+  grid::GridParams grid_;
+  double least_returns_;
+  DriveFigures figures_;
+  mrpt::math::TPose2D last_;                      // odometry of the step before
+  mrpt::math::TPose2D stand_;                     // odometry where it last moved to
+  std::size_t still_ = 0;                         // scans since
+  std::optional<models::ScanOdometry> by_scans_;  // of the robot while its odometry stands
+};
+
+}  // namespace ariadne::checks

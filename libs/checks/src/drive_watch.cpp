@@ -1,0 +1,57 @@
+#include "ariadne/checks/drive_watch.h"
+
+#include <cmath>
+
+#include "ariadne/models/motion_model.h"
+
+namespace ariadne::checks {
+namespace {
+
+// Below these the odometry stands still.
+constexpr double kStill_m = 0.02;
+constexpr double kStill_rad = 0.02;
+// So long it may stand before the scans are asked, which takes time.
+constexpr std::size_t kPatience = 3;
+// And by the scans the robot has driven from here on.
+constexpr double kDrove_m = 0.3;
+constexpr double kDrove_rad = 0.26;
+constexpr double kGain = 8;
+
+bool within(const mrpt::math::TPose2D& way, double distance_m, double angle_rad) {
+  return std::hypot(way.x, way.y) < distance_m && std::abs(way.phi) < angle_rad;
+}
+
+}  // namespace
+
+bool DriveWatch::isBlind(const mrpt::obs::CObservation2DRangeScan& scan) const {
+  std::size_t returned = 0;
+  for (std::size_t i = 0; i < scan.getScanSize(); ++i)
+    returned += scan.getScanRangeValidity(i) && scan.getScanRange(i) < grid_.insert_range_m;
+  return static_cast<double>(returned) < least_returns_ * static_cast<double>(scan.getScanSize());
+}
+
+void DriveWatch::add(const models::SensorStep& step) {
+  if (!step.scan) return;
+  const bool first = figures_.scans++ == 0;
+  figures_.blind_scans += isBlind(*step.scan);
+  if (!first && !step.odometry_jumped)
+    figures_.odometry_m +=
+        std::hypot(step.odom_from_robot.x - last_.x, step.odom_from_robot.y - last_.y);
+  last_ = step.odom_from_robot;
+  const auto way = models::relativePose(stand_, step.odom_from_robot);
+  if (first || !within(way, kStill_m, kStill_rad)) {
+    stand_ = step.odom_from_robot;
+    still_ = 0;
+    by_scans_.reset();
+  } else {
+    stand(step);
+  }
+}
+
+void DriveWatch::stand(const models::SensorStep& step) {
+  if (++still_ < kPatience) return;
+  if (!by_scans_) by_scans_.emplace(grid_, models::MatcherParams(), kGain);
+  figures_.standing_scans += !within(by_scans_->add(step), kDrove_m, kDrove_rad);
+}
+
+}  // namespace ariadne::checks

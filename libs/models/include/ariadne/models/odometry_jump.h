@@ -1,0 +1,34 @@
+// Steps of odometry that no robot makes: odometry was reset, or the robot was carried. A log's own
+// stamps may be useless, so distance decides along with speed, against the log's own steps.
+#pragma once
+#include <mrpt/math/TPose2D.h>
+
+#include <deque>
+#include <optional>
+
+namespace ariadne::models {
+
+class JumpDetector {
+ public:
+  /// Whether the way to this pose from the one before is a jump:
+  ///  - over 1 m (3 m where no step is known yet), over 5 times the usual step and faster than 5
+  ///  m/s,
+  ///  - the same from 0.5 m and 2 m/s on where it ends at (0, 0, 0), which is where a reset ends,
+  ///  - or over 100 degrees and faster than 450 degrees/s.
+  /// The usual step is the median of the last 50 over 1 cm. No time, or one that is not positive,
+  /// says nothing about speed: distance decides, turns are believed.
+  /// @param odom_from_robot m and rad
+  bool operator()(const mrpt::math::TPose2D& odom_from_robot, double time_s);
+
+ private:
+  std::optional<double> usualStep_m() const;
+
+  struct Place {
+    mrpt::math::TPose2D pose;
+    double time_s = 0;
+  };
+  std::optional<Place> before_;
+  std::deque<double> steps_m_;
+};
+
+}  // namespace ariadne::models
