@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <memory>
 #include <ostream>
 
 #include "ariadne/core/error.h"
@@ -25,11 +26,18 @@ void warn(const io::StepSource& steps, std::ostream& err) {
 template <class Write>
 void convert(const DatasetArguments& args, std::ostream& out, std::ostream& err, Write write) {
   refuseToOverwrite(args.out, args.overwrite);
-  const auto steps = io::openDataset(args.in, args.dataset);
+  std::unique_ptr<io::StepSource> steps;
   {
     Progress progress(err, "reading " + args.in.filename().string());
+    io::DatasetOptions options = args.dataset;
+    double looked_through = 0;  // of the whole work
+    options.goes_on = [&](double share) {
+      progress.update(looked_through = share / 3);
+      return true;
+    };
+    steps = io::openDataset(args.in, options);
     const std::size_t count = write([&] {
-      progress.update(steps->fraction());
+      progress.update(looked_through + (1 - looked_through) * steps->fraction());
       return steps->next();
     });
     out << fmt::format("{}: {} steps\n", args.out.string(), count);

@@ -6,6 +6,7 @@
 #include "ariadne/core/error.h"
 #include "command_line.h"
 #include "commands.h"
+#include "ros_arguments.h"
 #include "simulate_options.h"
 
 namespace ariadne {
@@ -13,13 +14,16 @@ namespace {
 
 constexpr const char* kAbout =
     "Looks into datasets of 2D laser and odometry, converts them, and simulates new ones.\n"
-    "Reads MRPT rawlogs (both forms) and CARMEN logs, gzip or not, told apart by content.";
+    "Reads MRPT rawlogs (both forms) and CARMEN logs, gzip or not, and ROS recordings (.bag, "
+    ".db3,\n"
+    ".mcap, or a folder of them), told apart by content.";
 
 constexpr const char* kExamples =
     "Examples:\n"
     "  ariadne-dataset info run.rawlog\n"
     "  ariadne-dataset info intel.clf.gz --json\n"
     "  ariadne-dataset import intel.clf.gz intel.rawlog\n"
+    "  ariadne-dataset import drive.bag drive.rawlog --laser /scan --laser-pose '0.2 0 0'\n"
     "  ariadne-dataset export run.rawlog run.log.gz\n"
     "  ariadne-dataset noise corrected.log noisy.rawlog --rot-rot 0.1 --seed 7\n"
     "  ariadne-dataset simulate nested.world nested.path nested.rawlog --laps 6\n"
@@ -93,7 +97,7 @@ class CommandLine {
     CLI::App* sub = app_.add_subcommand(name, about);
     sub->add_option("IN", args_.in, "log to read")->required();
     sub->add_option("--laser", args_.dataset.laser_label,
-                    "label of the laser, where there are several");
+                    "label of the laser, where there are several; of a ROS recording its topic");
     sub->add_option("--field-of-view", args_.dataset.field_of_view_deg,
                     "degrees that the laser's beams span, for a CARMEN log that does not say it")
         ->check(CLI::Range(1.0, 360.0));
@@ -101,6 +105,7 @@ class CommandLine {
                     "readings at or over this are no return, m; 0: told from the log");
     sub->add_option("--min-range", args_.dataset.min_range_m, "readings under this are left out, m")
         ->capture_default_str();
+    addRosOptions(*sub, args_.dataset.ros);
     sub->callback([this, command] {
       command_ = [this, command](auto& out, auto& err) { command(args_, out, err); };
     });

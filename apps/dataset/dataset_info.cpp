@@ -16,6 +16,16 @@ constexpr double kDegrees = 180 / M_PI;
 constexpr double kTilt_deg = 5;
 constexpr double kLeastReturns = 0.1;  // default of [update] least_returns
 
+/// Of a folder: of the files in it.
+std::uintmax_t bytesOf(const std::filesystem::path& path) {
+  std::error_code code;
+  if (!std::filesystem::is_directory(path, code)) return std::filesystem::file_size(path);
+  std::uintmax_t bytes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(path))
+    if (entry.is_regular_file(code)) bytes += entry.file_size(code);
+  return bytes;
+}
+
 void describe(LaserInfo& laser, const mrpt::obs::CObservation2DRangeScan& scan) {
   const auto& pose = scan.sensorPose;
   laser.field_of_view_deg = scan.aperture * kDegrees;
@@ -39,6 +49,7 @@ class Collector {
     const auto& scan = *record.scan;
     LaserInfo& laser = info_.lasers[scan.sensorLabel];
     if (laser.scans++ == 0) describe(laser, scan);
+    laser.place_known = record.place_known;
     laser.fewest_beams = std::min(laser.fewest_beams, scan.getScanSize());
     laser.most_beams = std::max(laser.most_beams, scan.getScanSize());
     if (record.odom_from_robot) ++info_.line_poses;
@@ -109,13 +120,19 @@ DatasetInfo collectInfo(const std::filesystem::path& path, io::DatasetOptions op
                         const std::function<void(double)>& progress) {
   DatasetInfo info;
   info.path = path;
+  double looked_through = 0;  // of the whole work
+  options.goes_on = [&](double share) {
+    progress(looked_through = share / 6);
+    return true;
+  };
   const auto records = io::openRecords(path, options);
+  options.goes_on = nullptr;
   info.format = records->format();
-  info.bytes = std::filesystem::file_size(path);
+  info.bytes = bytesOf(path);
   Collector collect(info);
   while (const auto record = records->next()) {
     std::visit(collect, *record);
-    progress(records->fraction() / 2);
+    progress(looked_through + (0.5 - looked_through) * records->fraction());
   }
   info.classes = records->classes();
   info.notes = records->notes();

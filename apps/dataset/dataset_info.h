@@ -19,6 +19,7 @@ struct LaserInfo {
   double max_range_m = 0;
   double x_m = 0, y_m = 0, z_m = 0;  ///< the laser on the robot
   double yaw_deg = 0, pitch_deg = 0, roll_deg = 0;
+  bool place_known = true;
   bool planar = true;
   std::size_t stamps = 0;
   double first_s = 0, last_s = 0;

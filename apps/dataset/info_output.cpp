@@ -32,11 +32,14 @@ void laserText(std::back_insert_iterator<std::string> out, const std::string& la
   fmt::format_to(out, "laser {}: {} scans, {} beams over {}, up to {:g} m", name(label),
                  laser.scans, beams, angle, laser.max_range_m);
   if (laser.rate_hz() > 0) fmt::format_to(out, ", {:.2f} Hz", laser.rate_hz());
-  fmt::format_to(out,
-                 "\n  at x {:.3f} y {:.3f} z {:.3f} m, yaw {:.2f} pitch {:.2f} roll {:.2f} deg{}",
-                 plain(laser.x_m), plain(laser.y_m), plain(laser.z_m), plain(laser.yaw_deg),
-                 plain(laser.pitch_deg), plain(laser.roll_deg),
-                 laser.planar ? "" : " (tilted: not for a map of the floor)");
+  if (!laser.place_known)
+    fmt::format_to(out, "\n  where it is on the robot is not known");
+  else
+    fmt::format_to(out,
+                   "\n  at x {:.3f} y {:.3f} z {:.3f} m, yaw {:.2f} pitch {:.2f} roll {:.2f} deg{}",
+                   plain(laser.x_m), plain(laser.y_m), plain(laser.z_m), plain(laser.yaw_deg),
+                   plain(laser.pitch_deg), plain(laser.roll_deg),
+                   laser.planar ? "" : " (tilted: not for a map of the floor)");
   fmt::format_to(out,
                  "\n  longest time between scans {:.3f} s, stamps going backwards {}, missing {}\n",
                  laser.longest_gap_s, laser.stamps_backwards, laser.scans - laser.stamps);
@@ -68,6 +71,7 @@ nlohmann::json laserJson(const std::string& label, const LaserInfo& laser) {
             {"yaw_deg", laser.yaw_deg},
             {"pitch_deg", laser.pitch_deg},
             {"roll_deg", laser.roll_deg}}},
+          {"pose_known", laser.place_known},
           {"planar", laser.planar},
           {"first_stamp_s", laser.first_s},
           {"last_stamp_s", laser.last_s},

@@ -58,6 +58,8 @@ io::DatasetOptions optionsOf(const DatasetParams& params) {
   options.max_range_m = params.max_range_m;
   options.min_range_m = params.min_range_m;
   options.use_odometry = params.odometry == OdometrySource::log;
+  options.ros = {params.scan_topic, params.odom_topic, params.odom_frame, params.base_frame,
+                 io::parseLaserPose(params.laser_pose, "[dataset] laser_pose")};
   return options;
 }
 
@@ -67,7 +69,11 @@ ResolvedConfig resolveConfig(const Options& options) {
     io::setField(resolved.config, io::parseSetting(setting));
   for (const io::IniEntry& entry : flagEntries(options)) io::setField(resolved.config, entry);
   std::string& dataset = resolved.config.dataset.file;
-  if (!dataset.empty()) dataset = fs::absolute(dataset).lexically_normal().string();
+  if (!dataset.empty()) {
+    fs::path whole = fs::absolute(dataset).lexically_normal();
+    if (!whole.has_filename()) whole = whole.parent_path();  // a folder, written with a slash
+    dataset = whole.string();
+  }
   return resolved;
 }
 

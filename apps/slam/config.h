@@ -20,13 +20,17 @@ struct DatasetParams {
   double field_of_view_deg = 0;
   double max_range_m = 0;
   double min_range_m = io::DatasetOptions().min_range_m;
+  std::string scan_topic, odom_topic, odom_frame, base_frame;
+  std::string laser_pose;
 };
 
 template <class V>
 void visitFields(V& v, DatasetParams& p) {
-  v.text("file", p.file,
-         "log to map: MRPT rawlog or CARMEN log, gzip or not; a relative path starts at the INI's "
-         "folder, or at the current one on the command line");
+  v.text(
+      "file", p.file,
+      "log to map: MRPT rawlog or CARMEN log, gzip or not, or a ROS recording (.bag, .db3, .mcap, "
+      "or a folder of them); a relative path starts at the INI's folder, or at the current one "
+      "on the command line");
   v.choice(
       "odometry", p.odometry,
       core::Choices<OdometrySource>{{"log", OdometrySource::log}, {"scans", OdometrySource::scans}},
@@ -43,6 +47,18 @@ void visitFields(V& v, DatasetParams& p) {
            "no return, told from the readings (ariadne-dataset info says which)");
   v.number("min_range_m", p.min_range_m, {0, 100},
            "readings under this are left out, m: Hokuyos send error codes of 1 to 19 mm as ranges");
+  v.text("scan_topic", p.scan_topic,
+         "of a ROS recording, as the next four: topic of the laser scans; empty: the only one");
+  v.text("odom_topic", p.odom_topic,
+         "topic of the odometry, nav_msgs/Odometry or transforms as /tf; empty: the only one");
+  v.text("odom_frame", p.odom_frame,
+         "where the odometry is read from transforms: the frame that it starts in; empty: the one "
+         "called odom");
+  v.text("base_frame", p.base_frame,
+         "the robot's frame, which the odometry moves; empty: the one that the odometry names");
+  v.text("laser_pose", p.laser_pose,
+         "the laser on the robot, x y yaw_deg, as in 0.2 0 -90, and upside_down behind it for one "
+         "that hangs; empty: what the recording's transforms say");
 }
 
 io::DatasetOptions optionsOf(const DatasetParams& params);

@@ -12,8 +12,9 @@ constexpr const char* kAbout =
     "Maps a dataset of 2D laser scans and odometry with a Rao-Blackwellized particle filter.\n"
     "CONFIG is an INI of this program (ini/slam/*.ini) or one of MRPT's rbpf-slam for laser "
     "grids;\n"
-    "DATASET an MRPT rawlog or a CARMEN log, gzip or not. Writes maps, trajectories and figures\n"
-    "into a new folder.";
+    "DATASET an MRPT rawlog, a CARMEN log, gzip or not, or a ROS recording (.bag, .db3, .mcap, or "
+    "a\n"
+    "folder of them). Writes maps, trajectories and figures into a new folder.";
 
 constexpr const char* kFooter =
     "Values come from the defaults, then CONFIG, then --set, then the other options.\n"
@@ -22,6 +23,7 @@ constexpr const char* kFooter =
     "  ariadne-slam ini/slam/sena.ini\n"
     "  ariadne-slam ini/slam/carmen.ini intel.clf.gz --out intel --particles 50 --seed 7\n"
     "  ariadne-slam ini/slam/carmen.ini fr079.log --set grid.resolution_m=0.1 --threads 1\n"
+    "  ariadne-slam ini/slam/ros.ini drive.bag --set dataset.scan_topic=/front/scan\n"
     "  ariadne-slam ini/slam/sena.ini --print-config > mine.ini\n"
     "  ariadne-slam ini/slam/carmen.ini drive.rawlog --truth drive.rawlog.truth.tum\n"
     "Exit code: 0 fine, 1 the run failed, 2 wrong use, 130 stopped by Ctrl-C, 143 by SIGTERM.";

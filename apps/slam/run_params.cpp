@@ -14,8 +14,8 @@ namespace fs = std::filesystem;
 /// "intel" of "/data/intel.clf.gz"; what shells dislike becomes a hyphen.
 std::string shortName(const fs::path& input) {
   std::string name = input.filename().string();
-  for (const char* end : {".gz", ".rawlog", ".clf", ".log", ".carmen", ".world", ".yaml",
-                          ".gridmap", ".png", ".pgm", ".bmp"})
+  for (const char* end : {".gz", ".rawlog", ".clf", ".log", ".carmen", ".bag", ".db3", ".mcap",
+                          ".zstd", ".world", ".yaml", ".gridmap", ".png", ".pgm", ".bmp"})
     if (name.size() > std::string(end).size() && fs::path(name).extension() == end)
       name = fs::path(name).stem().string();
   for (char& c : name)

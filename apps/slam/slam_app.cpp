@@ -72,6 +72,20 @@ std::vector<Output> outputsOf(const SlamConfig& config) {
   return outputs;
 }
 
+/// Recordings of ROS are looked through first, which is told where it takes its time.
+std::unique_ptr<io::StepSource> openLog(const DatasetParams& params, const Interrupt& interrupt,
+                                        bool quiet, std::ostream& err) {
+  Progress progress(err, progressStyle(quiet, err));
+  io::DatasetOptions options = optionsOf(params);
+  options.goes_on = [&](double share) {
+    if (progress.due()) progress.show(fmt::format("looking through it: {:3.0f} %", 100 * share));
+    return interrupt.signal() == 0;
+  };
+  auto source = io::openDataset(params.file, options);
+  progress.finish();
+  return source;
+}
+
 /// Maps and writes. Returns the exit code.
 int mapDataset(const Options& options, ResolvedConfig resolved, std::ostream& out,
                std::ostream& err) {
@@ -89,7 +103,7 @@ int mapDataset(const Options& options, ResolvedConfig resolved, std::ostream& ou
 
   const Interrupt interrupt;
   const auto opening = std::chrono::steady_clock::now();
-  const auto source = io::openDataset(config.dataset.file, optionsOf(config.dataset));
+  const auto source = openLog(config.dataset, interrupt, options.quiet, err);
   const std::chrono::duration<double> opened = std::chrono::steady_clock::now() - opening;
   slam::Mapper mapper(config.slam, config.run.threads);
   const std::vector<Output> outputs = outputsOf(config);

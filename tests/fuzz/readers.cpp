@@ -10,6 +10,11 @@ namespace ariadne::fuzz {
 const std::vector<Reader>& readers() {
   static const std::vector<Reader> all = {{"log", "in.log", readLog},
                                           {"newer", "in.bin", readNewerObservation},
+                                          {"bag", "in.bag", readLog},
+                                          {"mcap", "in.mcap", readLog},
+                                          {"db3", "in.db3", readLog},
+                                          {"zstd", "in.db3.zstd", readLog},
+                                          {"metadata", "metadata.yaml", readLog},
                                           {"tum", "in.tum", readTum},
                                           {"relations", "in.relations", readRelations},
                                           {"world", "in.world", readWorld},

@@ -12,6 +12,8 @@
 #include "odometry_track.h"
 #include "rawlog_records.h"
 #include "ready_steps.h"
+#include "ros/open_bag.h"
+#include "ros/ros_records.h"
 #include "scan_check.h"
 
 namespace ariadne::io {
@@ -30,6 +32,8 @@ class Steps : public StepSource {
         track_(counts_, options.use_odometry),
         ready_(options, counts_) {
     if (wanted_ && wanted_->empty()) wanted_.reset();
+    if (const std::string why = records_->whyNot(); !why.empty()) throw failure(why + details());
+    if (const std::string chosen = records_->chosenLaser(); !chosen.empty()) wanted_ = chosen;
     const bool any = !wanted_;
     if (wanted_ == kNoLabel) wanted_ = "";
     while (ready_.wantsMore() && readRecord() && !isHopeless()) continue;
@@ -130,24 +134,27 @@ class Steps : public StepSource {
     return fmt::format("{}", fmt::join(list, ", "));
   }
 
+  std::string details() const {
+    const auto notes = datasetWarnings(counts_, *records_);
+    return notes.empty() ? "" : fmt::format(" [{}]", fmt::join(notes, "; "));
+  }
+
   std::string whyNothing() const {
     std::vector<std::string> found;
     for (const auto& [name, count] : records_->classes())
       if (found.size() < 12) found.push_back(fmt::format("{} {}", count, name));
     const std::string contents =
         found.empty() ? "nothing" : fmt::format("{}", fmt::join(found, ", "));
-    const auto notes = datasetWarnings(counts_, *records_);
-    const std::string details = notes.empty() ? "" : fmt::format(" [{}]", fmt::join(notes, "; "));
     if (labels_.empty())
       return fmt::format("no 2D laser scan in this {} (found: {}){}", records_->format(), contents,
-                         details);
+                         details());
     if (labels_.count(*wanted_) == 0)
       return fmt::format("no laser is called '{}'; there is {}", *wanted_, listLabels());
     if (!track_.hasOdometry() && track_.waiting() > 0)
       return fmt::format("no odometry in this {} (found: {}){}", records_->format(), contents,
-                         details);
+                         details());
     if (!problem_.empty()) return problem_;
-    return fmt::format("no usable scan in this {}{}", records_->format(), details);
+    return fmt::format("no usable scan in this {}{}", records_->format(), details());
   }
 
   std::filesystem::path path_;
@@ -175,10 +182,19 @@ bool looksLikeText(std::string_view beginning) {
   return true;
 }
 
+/// A recording of ROS knows its lasers by their topics.
+RosOptions rosOptionsOf(const DatasetOptions& options) {
+  RosOptions ros = options.ros;
+  if (ros.scan_topic.empty()) ros.scan_topic = options.laser_label;
+  return ros;
+}
+
 }  // namespace
 
 std::unique_ptr<RecordSource> openRecords(const std::filesystem::path& path,
                                           const DatasetOptions& options) {
+  if (ros::looksLikeBag(path))
+    return std::make_unique<ros::RosRecords>(path, rosOptionsOf(options), options.goes_on);
   auto file = std::make_unique<InputFile>(path);
   const std::string_view beginning = file->peek(2048);
   const auto failure = [&](const std::string& why) {
@@ -186,9 +202,11 @@ std::unique_ptr<RecordSource> openRecords(const std::filesystem::path& path,
   };
   if (beginning.empty())
     throw failure(file->trouble().empty() ? "the file is empty" : file->trouble());
+  if (ros::formatOf(beginning) != ros::BagFormat::none)
+    throw failure("a recording of ROS inside gzip: unpack it with gunzip first");
   if (looksLikeArchive(beginning)) return std::make_unique<RawlogRecords>(std::move(file), options);
   if (!looksLikeText(beginning.substr(0, 2048)))
-    throw failure("neither an MRPT rawlog nor a CARMEN log");
+    throw failure("neither an MRPT rawlog nor a CARMEN log nor a recording of ROS");
   return std::make_unique<CarmenRecords>(path, options);
 }
 

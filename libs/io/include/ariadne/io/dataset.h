@@ -5,11 +5,13 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "ariadne/io/ros_options.h"
 #include "ariadne/models/sensor_step.h"
 
 namespace ariadne::io {
@@ -31,6 +33,10 @@ struct DatasetOptions {
   /// Off: poses, increments and readings of the log are not looked at, all steps are at (0, 0, 0),
   /// and a log without odometry is fine.
   bool use_odometry = true;
+  RosOptions ros = {};
+  /// Called now and then while a recording of ROS is looked through before its first step, with
+  /// the share that was; false ends it with core::Error.
+  std::function<bool(double)> goes_on = nullptr;
 };
 
 /// How often a clock was set back or started over, and the stamps about the first time.

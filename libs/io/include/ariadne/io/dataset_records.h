@@ -35,6 +35,7 @@ struct LaserRecord {
   std::optional<double> time_s;
   std::optional<mrpt::math::TPose2D> odom_from_robot;
   std::string problem;  ///< why the beams' angles are not known; the aperture is 0 then
+  bool place_known = true;  ///< of the laser on the robot; else the scan says its centre
 };
 
 using LogRecord = std::variant<OdometryIncrement, OdometryReading, LaserRecord>;
@@ -50,15 +51,19 @@ class RecordSource {
   /// Where and how the file is broken; empty while it is not.
   virtual const std::string& damage() const = 0;
   virtual std::size_t malformedLines() const = 0;
-  /// "MRPT rawlog" or "CARMEN log".
+  /// "MRPT rawlog", "CARMEN log", "ROS 1 bag", ...
   virtual const char* format() const = 0;
   /// What was noticed that is neither damage nor counted elsewhere.
   virtual const std::vector<std::string>& remarks() const = 0;
   /// What the records were taken to mean, and by what; nothing in it is wrong.
   virtual std::vector<std::string> notes() const { return {}; }
+  /// Label of the laser that the options mean, where labels are not what they name it by.
+  virtual std::string chosenLaser() const { return ""; }
+  /// Why nothing of it can be mapped, where that was found out before; empty where it was not.
+  virtual std::string whyNot() const { return ""; }
 };
 
-/// Throws core::Error naming the file when it is unreadable, empty or neither of the two.
+/// Throws core::Error naming the file when it is unreadable, empty or none of them.
 std::unique_ptr<RecordSource> openRecords(const std::filesystem::path& path,
                                           const DatasetOptions& options = {});
 

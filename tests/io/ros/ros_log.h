@@ -1,0 +1,39 @@
+// What a reader makes of a recording.
+#pragma once
+#include "../sample_logs.h"
+#include "../temporary_folder.h"
+#include "recording.h"
+
+class RosLog : public TemporaryFolder {
+ protected:
+  static sample::Result readWith(const std::filesystem::path& path,
+                                 const ariadne::io::RosOptions& ros) {
+    sample::Result r;
+    try {
+      ariadne::io::DatasetOptions options;
+      options.ros = ros;
+      const auto source = ariadne::io::openDataset(path, options);
+      while (auto step = source->next()) r.steps.push_back(std::move(*step));
+      r.counts = source->counts();
+      r.warnings = source->warnings();
+      r.label = source->laserLabel();
+    } catch (const ariadne::core::Error& e) {
+      r.error = e.what();
+    }
+    return r;
+  }
+  sample::Result read(const std::string& bytes, const ariadne::io::RosOptions& ros = {}) {
+    ariadne::io::writeWhole(folder / "a.mcap", bytes);
+    return readWith(folder / "a.mcap", ros);
+  }
+  sample::Result read(const recording::Mcap& file, const ariadne::io::RosOptions& ros = {}) {
+    return read(file.bytes(), ros);
+  }
+};
+
+/// Expects an error that holds all these parts.
+inline void expectTold(const sample::Result& r, const std::vector<std::string>& parts) {
+  EXPECT_FALSE(r.error.empty());
+  for (const std::string& part : parts)
+    EXPECT_NE(r.error.find(part), std::string::npos) << r.error << "\n  lacks: " << part;
+}
