@@ -4,6 +4,7 @@
 
 #include "attach.h"
 #include "draw.h"
+#include "positions_after.h"
 #include "ways.h"
 
 namespace ariadne::recovery {
@@ -16,16 +17,6 @@ std::vector<std::size_t> twinsOf(const SavedSet& saved, const std::vector<std::s
   for (std::size_t e = 0; e < sources.size(); ++e)
     twins.push_back(first.try_emplace({saved.entries[e].at_te.get(), sources[e]}, e).first->second);
   return twins;
-}
-
-std::vector<mrpt::math::TPoint2D> positionsAfter(const filter::AncestorPtr& leaf, std::size_t te) {
-  std::vector<mrpt::math::TPoint2D> positions;
-  filter::forEachAncestor(leaf, [&](const filter::Ancestor& a) {
-    if (a.step() <= te) return false;
-    positions.emplace_back(a.pose().x, a.pose().y);
-    return true;
-  });
-  return {positions.rbegin(), positions.rend()};
 }
 
 }  // namespace

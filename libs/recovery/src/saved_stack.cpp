@@ -31,6 +31,12 @@ void SavedStack::drop(std::size_t name) {
   if (it != sets_.end()) sets_.erase(it);
 }
 
+void SavedStack::dropAfter(std::size_t step) {
+  sets_.erase(std::remove_if(sets_.begin(), sets_.end(),
+                             [&](const Named& n) { return n.set.te > step; }),
+              sets_.end());
+}
+
 bool SavedStack::holds(std::size_t name) const {
   return std::any_of(sets_.begin(), sets_.end(), [&](const Named& n) { return n.name == name; });
 }

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "ariadne/recovery/recover.h"
+#include "closure_draw.h"
 
 namespace ariadne::slam {
 namespace {
@@ -75,7 +76,8 @@ LoopCloser::LoopCloser(const SlamParams& params, const core::Parallel& parallel)
     : params_(params),
       parallel_(parallel),
       watcher_(params.loop_closing),
-      stack_(params.recovery.memory_budget_mb) {}
+      stack_(params.recovery.memory_budget_mb),
+      finder_({}, {}, params.grid, params.likelihood) {}
 
 void LoopCloser::extendGraphs(const filter::ParticleSet& particles) {
   if (graphs_.empty()) {
@@ -192,6 +194,26 @@ void LoopCloser::recover(std::size_t name, filter::ParticleSet& particles, const
   record.distinct_after = filter::distinctAncestors(record.after, saved->te);
   record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   extra.recovery = std::move(record);
+}
+
+std::optional<closure::Closure> LoopCloser::search(const filter::ParticleSet& particles,
+                                                   const Scans& scans) {
+  if (!params_.loop_closing.enabled || std::getenv("ARIADNE_NO_SEARCH")) return std::nullopt;
+  return finder_.look(particles[particles.best()].ancestor, scans);
+}
+
+void LoopCloser::draw(const closure::Closure& found, filter::ParticleSet& particles,
+                      const Scans& scans) {
+  // What was saved after the anchor belongs to ways that are replaced.
+  stack_.dropAfter(found.begin);
+  const recovery::SavedSet present = recovery::save(particles, graphs_, found.begin);
+  const auto shapes = shapesAfter(scans, earliestCheckpoint(present), params_.grid, parallel_);
+  recovery::RecoveredSet set =
+      drawGiven(found, finder_, particles, graphs_,
+                {shapes, static_cast<std::size_t>(params_.update.checkpoint_updates),
+                 params_.filter.seed, parallel_});
+  particles.replace(std::move(set.particles), set.weights);
+  setGraphs(std::move(set.graphs));
 }
 
 std::vector<ClosingRecord> LoopCloser::records() const {

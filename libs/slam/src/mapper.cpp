@@ -171,6 +171,7 @@ StepReport Mapper::Impl::update(const models::SensorStep& step, const TPose2D& m
       if (before_recovery) before_recovery();
       loops.recover(*ended, particles, scans);
     }
+    if (const auto found = loops.search(particles, scans)) loops.draw(*found, particles, scans);
   }
   report.best = particles.best();  // recovery may have brought another
   report.map_from_robot = particles[report.best].map_from_robot;

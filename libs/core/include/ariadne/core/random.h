@@ -17,6 +17,7 @@ enum class Purpose : std::uint32_t {
   recovery = 6,
   start = 7,
   bootstrap = 8,
+  closure = 9,
   test = 99
 };
 

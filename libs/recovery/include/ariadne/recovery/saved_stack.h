@@ -21,6 +21,9 @@ class SavedStack {
   /// Takes one set out and leaves the others.
   void drop(std::size_t name);
 
+  /// Takes out the sets whose te lies after `step`.
+  void dropAfter(std::size_t step);
+
   bool holds(std::size_t name) const;
   std::size_t size() const { return sets_.size(); }
   /// Memory of all maps held, tiles counted once, MB.

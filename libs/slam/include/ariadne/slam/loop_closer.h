@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ariadne/closing/loop_watcher.h"
+#include "ariadne/closure/finder.h"
 #include "ariadne/core/parallel.h"
 #include "ariadne/filter/particle_set.h"
 #include "ariadne/recovery/saved_stack.h"
@@ -29,6 +30,13 @@ class LoopCloser {
   /// @param scans of all updates so far
   void recover(std::size_t closing, filter::ParticleSet& particles,
                const std::vector<mrpt::obs::CObservation2DRangeScan::Ptr>& scans);
+
+  /// The closure that was looked for since the last update and found, if there is one.
+  std::optional<closure::Closure> search(const filter::ParticleSet& particles,
+                                         const std::vector<mrpt::obs::CObservation2DRangeScan::Ptr>& scans);
+  /// Draws every particle's way anew, given the closure.
+  void draw(const closure::Closure& found, filter::ParticleSet& particles,
+            const std::vector<mrpt::obs::CObservation2DRangeScan::Ptr>& scans);
 
   /// G of every particle.
   const std::vector<topology::PlaceGraph>& graphs() const { return graphs_; }
@@ -69,6 +77,7 @@ class LoopCloser {
   const core::Parallel& parallel_;
   closing::LoopWatcher watcher_;
   recovery::SavedStack stack_;
+  closure::Finder finder_;
   std::vector<topology::PlaceGraph> graphs_;
   std::vector<PastSet> past_;        // by update
   std::vector<double> travelled_m_;  // by update

@@ -1,0 +1,81 @@
+// Looks for the place at which a loop should close, from metres away: the last metres of scans as one
+// piece against what was seen there before, over the window that the drift since then asks for. A place
+// is told only when it stands out, contradicts nothing, and was found again some metres later.
+#pragma once
+#include <mrpt/obs/CObservation2DRangeScan.h>
+
+#include <Eigen/Dense>
+#include <optional>
+#include <vector>
+
+#include "ariadne/closure/contacts.h"
+#include "ariadne/closure/correlation.h"
+#include "ariadne/closure/segment.h"
+#include "ariadne/grid/endpoint_likelihood.h"
+#include "ariadne/grid/params.h"
+
+namespace ariadne::closure {
+
+struct FinderParams {
+  double every_m = 2;            ///< a search each time the robot has travelled this
+  double least_way_m = 25;       ///< places nearer than this by the path are no closures
+  double piece_m = 10;           ///< length of the piece
+  double longest_window_m = 10;  ///< half width of the window at the most
+  double least_hit_share = 0.55;
+  double most_second = 0.8;      ///< the second-best place has at most this share of the best
+  double least_known = 0.6;      ///< of the piece lies where the old map is known
+  double least_field = 0.5;
+  double most_second_field = 0.85;
+  double most_contradicting = 0.3;
+  double most_cost = 12;         ///< of the path given the closure, see SegmentSample
+  double evidence = 2;           ///< searches that agree; one that contradicts a little counts half
+};
+
+/// Where the robot is now, seen from a place of before.
+struct Closure {
+  std::size_t anchor = 0;  ///< update at the place
+  std::size_t begin = 0;   ///< what was before this update need not be moved
+  mrpt::math::TPose2D anchor_from_robot;
+  Eigen::Matrix3d information;  ///< (x, y, heading) in the anchor's frame
+  double hit_share = 0;
+  double second_share = 0;
+  mrpt::math::TPose2D correction;  ///< from where the robot was thought to be, in its own frame
+};
+
+class Finder {
+ public:
+  using Scans = std::vector<mrpt::obs::CObservation2DRangeScan::Ptr>;
+
+  Finder(const FinderParams& params, const DriftParams& drift, const grid::GridParams& grid,
+         const grid::LikelihoodParams& likelihood);
+
+  /// To be called after each update with the path of s*. Returns a closure that was found and confirmed.
+  /// @param scans of all updates so far
+  std::optional<Closure> look(const filter::AncestorPtr& best, const Scans& scans);
+  /// Where the path closed by itself, and what was found.
+  std::vector<Contact> contacts() const;
+  const DriftParams& drift() const { return drift_; }
+
+ private:
+  struct Old;
+  void takeScans(const Scans& scans);
+  Old oldPlaces(const Track& track) const;
+  std::optional<Closure> search(const Track& track, const Scans& scans);
+  grid::OccupancyGrid mapAbout(const Track& track, const Scans& scans, const Old& old,
+                               const mrpt::math::TPose2D& pose) const;
+
+  FinderParams params_;
+  DriftParams drift_;
+  ContactParams contact_;
+  grid::GridParams grid_;
+  grid::EndpointLikelihood likelihood_;
+  std::vector<ScanHits> hits_;  // by update
+  std::vector<Contact> contacts_;
+  std::vector<Contact> found_;
+  std::size_t contacts_until_ = 0;
+  double looked_m_ = 0;
+  std::optional<mrpt::math::TPose2D> pending_;  // correction in the map's frame
+  double evidence_ = 0;
+};
+
+}  // namespace ariadne::closure

@@ -1,0 +1,31 @@
+// The path of one hypothesis by filter update, with the scans taken on it: what closures are searched
+// on.
+#pragma once
+#include <mrpt/math/TPoint2D.h>
+#include <mrpt/math/TPose2D.h>
+
+#include <vector>
+
+#include "ariadne/filter/ancestry.h"
+#include "ariadne/grid/scan_shape.h"
+
+namespace ariadne::closure {
+
+/// Ends of a scan's beams, m, robot's frame, in beam order.
+using ScanHits = std::vector<mrpt::math::TPoint2D>;
+
+struct Track {
+  std::vector<mrpt::math::TPose2D> poses;  ///< map_from_robot, one per update
+  std::vector<double> travelled_m;         ///< way from the beginning, one per update
+  std::size_t now() const { return poses.size() - 1; }
+};
+
+/// The line of `leaf`, whose updates count from 0.
+Track trackOf(const filter::AncestorPtr& leaf);
+
+mrpt::math::TPoint2D placed(const mrpt::math::TPose2D& pose, const mrpt::math::TPoint2D& p);
+std::vector<mrpt::math::TPoint2D> placed(const mrpt::math::TPose2D& pose,
+                                         const std::vector<mrpt::math::TPoint2D>& points);
+double distance(const mrpt::math::TPose2D& a, const mrpt::math::TPose2D& b);
+
+}  // namespace ariadne::closure

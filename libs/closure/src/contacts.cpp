@@ -1,0 +1,119 @@
+#include "ariadne/closure/contacts.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+#include "ariadne/models/motion_model.h"
+
+namespace ariadne::closure {
+namespace {
+
+using mrpt::math::TPoint2D;
+
+/// Direction across the wall at a beam's end, from the neighbouring ends.
+bool normalAt(const ScanHits& hits, std::size_t i, double& nx, double& ny) {
+  constexpr double kFarthest_m = 0.6;
+  const TPoint2D& a = hits[i == 0 ? 0 : i - 1];
+  const TPoint2D& b = hits[i + 1 < hits.size() ? i + 1 : i];
+  const double dx = b.x - a.x, dy = b.y - a.y, length = std::hypot(dx, dy);
+  if (length < 1e-3 || length > kFarthest_m) return false;
+  nx = -dy / length;
+  ny = dx / length;
+  return true;
+}
+
+/// Share of the ends of `scan` (placed by `pose`) near one of `wall`; adds what the agreeing ones know.
+double agreement(const ScanHits& wall, const ScanHits& scan, const mrpt::math::TPose2D& pose,
+                 double tolerance_m, Eigen::Matrix3d& information) {
+  // Ends of one beam are worth a tenth of what they say: they share the map's and the pose's errors.
+  constexpr double kEndInformation = 0.1 / (0.05 * 0.05);
+  std::size_t agree = 0;
+  for (const TPoint2D& p : placed(pose, scan)) {
+    double nearest = tolerance_m * tolerance_m;
+    std::size_t at = wall.size();
+    for (std::size_t i = 0; i < wall.size(); ++i) {
+      const double d = (wall[i].x - p.x) * (wall[i].x - p.x) + (wall[i].y - p.y) * (wall[i].y - p.y);
+      if (d < nearest) {
+        nearest = d;
+        at = i;
+      }
+    }
+    if (at == wall.size()) continue;
+    ++agree;
+    double nx = 0, ny = 0;
+    if (!normalAt(wall, at, nx, ny)) continue;
+    // A shift (x, y) and turn of the second robot moves its beams' ends across the wall by this.
+    const Eigen::Vector3d j(nx, ny, -nx * (p.y - pose.y) + ny * (p.x - pose.x));
+    information += kEndInformation * j * j.transpose();
+  }
+  return scan.empty() ? 0 : static_cast<double>(agree) / static_cast<double>(scan.size());
+}
+
+}  // namespace
+
+std::vector<Contact> findContacts(const Track& track, const std::vector<ScanHits>& hits,
+                                  std::size_t second, const ContactParams& params) {
+  struct Nearest {
+    double least_way_m;
+    double distance_m;
+    std::size_t update;
+  };
+  std::array<Nearest, 3> classes = {{{40, params.radius_m, second},
+                                     {15, params.radius_m, second},
+                                     {5, params.radius_m, second}}};
+  for (std::size_t k = 0; k < second; ++k) {
+    const double way = track.travelled_m[second] - track.travelled_m[k];
+    for (Nearest& c : classes) {
+      if (way < c.least_way_m) continue;
+      const double d = distance(track.poses[k], track.poses[second]);
+      if (d < c.distance_m) {
+        c.distance_m = d;
+        c.update = k;
+      }
+      break;
+    }
+  }
+  std::vector<Contact> out;
+  for (const Nearest& c : classes) {
+    if (c.update == second) continue;
+    Contact contact{c.update, second, 1e-3 * Eigen::Matrix3d::Identity()};
+    const auto first_from_second = models::relativePose(track.poses[c.update], track.poses[second]);
+    if (agreement(hits[c.update], hits[second], first_from_second, params.tolerance_m,
+                  contact.information) >= params.least_share)
+      out.push_back(contact);
+  }
+  return out;
+}
+
+std::vector<double> distancesFromNow(const Track& track, const std::vector<Contact>& contacts) {
+  const std::size_t n = track.poses.size();
+  std::vector<double> distance_m(n, std::numeric_limits<double>::infinity());
+  std::vector<std::vector<std::pair<std::size_t, double>>> edges(n);
+  const auto join = [&](std::size_t a, std::size_t b, double length) {
+    edges[a].emplace_back(b, length);
+    edges[b].emplace_back(a, length);
+  };
+  for (std::size_t k = 1; k < n; ++k)
+    join(k - 1, k, track.travelled_m[k] - track.travelled_m[k - 1]);
+  for (const Contact& c : contacts)
+    if (c.second < n) join(c.first, c.second, distance(track.poses[c.first], track.poses[c.second]));
+  using Entry = std::pair<double, std::size_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> next;
+  distance_m[n - 1] = 0;
+  next.emplace(0, n - 1);
+  while (!next.empty()) {
+    const auto [d, k] = next.top();
+    next.pop();
+    if (d > distance_m[k]) continue;
+    for (const auto& [other, length] : edges[k])
+      if (d + length < distance_m[other]) {
+        distance_m[other] = d + length;
+        next.emplace(distance_m[other], other);
+      }
+  }
+  return distance_m;
+}
+
+}  // namespace ariadne::closure

@@ -1,0 +1,29 @@
+#include "ariadne/closure/piece.h"
+
+#include <cmath>
+#include <cstdint>
+#include <unordered_set>
+
+#include "ariadne/grid/endpoint_likelihood.h"
+#include "ariadne/models/motion_model.h"
+
+namespace ariadne::closure {
+
+std::vector<mrpt::math::TPoint2D> lastPiece(const Track& track, const std::vector<ScanHits>& hits,
+                                            double length_m, double spacing_m, std::size_t most) {
+  const std::size_t now = track.now();
+  std::unordered_set<std::int64_t> taken;
+  std::vector<mrpt::math::TPoint2D> piece;
+  for (std::size_t k = now + 1; k-- > 0;) {
+    if (track.travelled_m[now] - track.travelled_m[k] > length_m) break;
+    const auto now_from_then = models::relativePose(track.poses[now], track.poses[k]);
+    for (const auto& p : placed(now_from_then, hits[k])) {
+      const auto i = static_cast<std::int64_t>(std::floor(p.x / spacing_m));
+      const auto j = static_cast<std::int64_t>(std::floor(p.y / spacing_m));
+      if (taken.insert((i << 32) ^ (j & 0xffffffff)).second) piece.push_back(p);
+    }
+  }
+  return grid::thinned(piece, most);
+}
+
+}  // namespace ariadne::closure

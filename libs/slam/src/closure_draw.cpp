@@ -1,0 +1,69 @@
+#include "closure_draw.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "ariadne/models/motion_model.h"
+
+namespace ariadne::slam {
+namespace {
+
+using closure::Track;
+
+/// A line with other poses after te; what the filter weighed stays, and the closure's density comes to it.
+filter::AncestorPtr lineWith(const filter::AncestorPtr& leaf, std::size_t te,
+                             const std::vector<mrpt::math::TPose2D>& poses, double log_density) {
+  std::vector<const filter::Ancestor*> nodes;
+  filter::forEachAncestor(leaf, [&](const filter::Ancestor& a) {
+    if (a.step() <= te) return false;
+    nodes.push_back(&a);
+    return true;
+  });
+  std::reverse(nodes.begin(), nodes.end());
+  filter::AncestorPtr out = filter::ancestorAt(leaf, te);
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    out = std::make_shared<filter::Ancestor>(
+        out, nodes[k]->step(), poses[k],
+        nodes[k]->logWeight() + (k + 1 == nodes.size() ? log_density : 0));
+  return out;
+}
+
+/// Within what the matcher and the weights settle by themselves.
+bool closed(const mrpt::math::TPose2D& off) {
+  return std::hypot(off.x, off.y) < 0.2 && std::abs(off.phi) < 0.03;
+}
+
+}  // namespace
+
+recovery::RecoveredSet drawGiven(const closure::Closure& found, const closure::Finder& finder,
+                                 const filter::ParticleSet& particles,
+                                 const std::vector<topology::PlaceGraph>& graphs,
+                                 const recovery::RecoveryInputs& inputs) {
+  const std::size_t n = particles.size();
+  const recovery::SavedSet present = recovery::save(particles, graphs, found.begin);
+  std::vector<filter::AncestorPtr> leaves(n);
+  std::vector<double> log_density(n);
+  inputs.parallel.forEach(n, [&](std::size_t i) {
+    const Track track = closure::trackOf(particles[i].ancestor);
+    std::vector<closure::Tie> ties = closure::tiesOf(track, finder.contacts());
+    const auto off = models::relativePose(
+        models::compose(track.poses[found.anchor], found.anchor_from_robot), track.poses.back());
+    ties.push_back({found.anchor, track.now(), found.anchor_from_robot, found.information, false});
+    core::RandomStream rng(inputs.seed, static_cast<std::uint32_t>(particles.step()),
+                           static_cast<std::uint32_t>(i), core::Purpose::closure);
+    const auto sample =
+        closure::drawSegment(track, found.begin, ties, finder.drift(), closed(off) || std::getenv("ARIADNE_MEAN") ? nullptr : &rng);
+    log_density[i] = -sample.cost;
+    if (!closed(off))
+      leaves[i] = lineWith(particles[i].ancestor, found.begin, sample.poses, -sample.cost);
+  });
+  recovery::RecoveredSet set = recovery::redraw(present, leaves, particles, graphs, inputs);
+  const double best = *std::max_element(log_density.begin(), log_density.end());
+  double sum = 0;
+  for (std::size_t i = 0; i < n; ++i) sum += set.weights[i] *= std::exp(log_density[i] - best);
+  for (double& w : set.weights) w /= sum;
+  return set;
+}
+
+}  // namespace ariadne::slam
