@@ -41,15 +41,6 @@ CParticleFilter::TParticleFilterOptions particleFilterOptions(const FilterParams
 
 namespace {
 
-/// With the action's own covariance where it has one.
-models::Motion motionOf(const mrpt::obs::CActionRobotMovement2D& movement,
-                        const models::MotionParams& params) {
-  const auto [covariance, mean] = movement.poseChange->getCovarianceAndMean();
-  const Eigen::Matrix3d given = covariance.asEigen();
-  if (given.isZero(0)) return {mean.asTPose(), params};
-  return {mean.asTPose(), given};
-}
-
 }  // namespace
 
 ParticleSet::ParticleSet(const FilterModels& models, const core::Parallel& parallel,
@@ -58,6 +49,7 @@ ParticleSet::ParticleSet(const FilterModels& models, const core::Parallel& paral
       parallel_(parallel),
       likelihood_(models.likelihood, models.grid.field_sigma_m),
       matcher_(models.matcher, models.filter.proposal_gain),
+      learner_(models.motion),
       map_is_known_(!map.knownBox().empty()) {
   CParticleData first;
   first.log_w = 0;
@@ -101,13 +93,24 @@ double ParticleSet::evidenceOfPlace() const {
   return std::pow(static_cast<double>(passes), -p.revisit_exponent);
 }
 
+/// With the action's own covariance where it has one: more than the odometry's noise is in it then, and
+/// nothing is to be learned from it.
+models::Motion ParticleSet::motionOf(const mrpt::obs::CActionRobotMovement2D& movement) const {
+  const auto [covariance, mean] = movement.poseChange->getCovarianceAndMean();
+  const Eigen::Matrix3d given = covariance.asEigen();
+  if (!given.isZero(0)) return {mean.asTPose(), given};
+  if (!models_.motion.learn) return {mean.asTPose(), models_.motion};
+  return {learner_.corrected(mean.asTPose()), learner_.params()};
+}
+
 void ParticleSet::predictMatchWeigh(const mrpt::obs::CActionCollection* action,
                                     const mrpt::obs::CSensoryFrame* observation) {
   ASSERT_(action && observation);
   const auto scan = observation->getObservationByClass<mrpt::obs::CObservation2DRangeScan>();
   const auto movement = action->getActionByClass<mrpt::obs::CActionRobotMovement2D>();
   ASSERT_(scan && movement);
-  const models::Motion motion = motionOf(*movement, models_.motion);
+  const mrpt::math::TPose2D increment = movement->poseChange->getMeanVal().asTPose();
+  const models::Motion motion = motionOf(*movement);
   points_ = grid::thinned(grid::scanFeatures(*scan, models_.grid.insert_range_m),
                           static_cast<std::size_t>(models_.matcher.max_beams));
   shape_ = grid::makeScanShape(*scan, models_.grid);
@@ -116,14 +119,19 @@ void ParticleSet::predictMatchWeigh(const mrpt::obs::CActionCollection* action,
 
   std::vector<Outcome> outcomes(size());
   parallel_.forEach(size(), [&](std::size_t i) { outcomes[i] = propose(i, motion); });
+  const std::size_t star = best();
+  const mrpt::math::TPose2D before = (*this)[star].map_from_robot;
+  if (outcomes[star].match_accepted && !motion.isGiven())
+    learner_.add(increment, models::relativePose(before, outcomes[star].match), before,
+                 outcomes[star].information);
 
   for (std::size_t i = 0; i < size(); ++i) {
-    const double increment = figures_.evidence * outcomes[i].log_weight;
+    const double log_increment = figures_.evidence * outcomes[i].log_weight;
     Particle& particle = m_particles[i].d;
-    m_particles[i].log_w += increment;
+    m_particles[i].log_w += log_increment;
     particle.map_from_robot = outcomes[i].pose;
     particle.ancestor = std::make_shared<Ancestor>(std::move(particle.ancestor), step_,
-                                                   outcomes[i].pose, increment);
+                                                   outcomes[i].pose, log_increment);
     figures_.matches_accepted += outcomes[i].match_accepted;
   }
   const std::vector<double> w = weights();
@@ -168,6 +176,8 @@ ParticleSet::Outcome ParticleSet::propose(std::size_t i, const models::Motion& m
                           {p.proposal_gain, p.weight_gain});
   auto rng = stream(core::Purpose::proposal);
   out.pose = fit.sample(rng);
+  out.match = match.map_from_robot;
+  out.information = fit.information;
   out.log_likelihood = fit.log_likelihood;
   out.log_weight = fit.log_weight;
   return out;

@@ -30,6 +30,7 @@ PoseGaussian fitProposal(const grid::EndpointLikelihood& likelihood, const grid:
   fit.mean = mode;
   fit.log_likelihood = likelihood(map, points, mode);
   const Eigen::Matrix3d h = likelihood.information(map, points, mode);
+  fit.information = h;
   const Eigen::Matrix3d prior_information = prior.covariance.inverse();
   fit.covariance = (prior_information + gains.proposal * h).inverse();
 

@@ -174,6 +174,10 @@ StepReport Mapper::Impl::update(const models::SensorStep& step, const TPose2D& m
     if (const auto found = loops.search(particles, scans)) loops.draw(*found, particles, scans);
   }
   report.best = particles.best();  // recovery may have brought another
+  if (std::getenv("ARIADNE_CLOSURES") && particles.step() % 100 == 0) {
+    const auto s = particles.learned().scales();
+    std::fprintf(stderr, "LEARNED %zu along %.2f across %.2f turn %.2f bias %.2f deg/m\n", particles.step(), s[0], s[1], s[2], particles.learned().turnPerMetre() * 180 / M_PI);
+  }
   report.map_from_robot = particles[report.best].map_from_robot;
   return report;
 }

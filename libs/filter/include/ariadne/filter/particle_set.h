@@ -4,6 +4,7 @@
 #pragma once
 #include <mrpt/bayes/CParticleFilterCapable.h>
 #include <mrpt/bayes/CParticleFilterData.h>
+#include <mrpt/obs/CActionRobotMovement2D.h>
 
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "ariadne/filter/params.h"
 #include "ariadne/filter/particle.h"
 #include "ariadne/grid/endpoint_likelihood.h"
+#include "ariadne/models/motion_learner.h"
 #include "ariadne/models/motion_model.h"
 #include "ariadne/models/proposal.h"
 #include "ariadne/models/scan_matcher.h"
@@ -53,6 +55,9 @@ class ParticleSet
   /// @param weights one a particle, sum 1
   void replace(std::vector<Particle> particles, const std::vector<double>& weights);
 
+  /// What was learned of the odometry so far.
+  const models::MotionLearner& learned() const { return learner_; }
+
   /// Number of the update that runs next; keys the random streams.
   std::size_t step() const { return step_; }
   /// Inserts the scan of the last update into every particle's map (children of one parent share
@@ -85,9 +90,12 @@ class ParticleSet
     double log_weight = 0;
     double log_likelihood = 0;
     bool match_accepted = false;
+    mrpt::math::TPose2D match;    // pose that the proposal is about
+    Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  // of the scan there; zero when not fitted
   };
   void predictMatchWeigh(const mrpt::obs::CActionCollection* action,
                          const mrpt::obs::CSensoryFrame* observation);
+  models::Motion motionOf(const mrpt::obs::CActionRobotMovement2D& movement) const;
   Outcome propose(std::size_t i, const models::Motion& motion) const;
   double evidenceOfPlace() const;
 
@@ -95,6 +103,7 @@ class ParticleSet
   const core::Parallel& parallel_;
   grid::EndpointLikelihood likelihood_;
   models::ScanMatcher matcher_;
+  models::MotionLearner learner_;
   std::size_t step_ = 0;
   bool map_is_known_;  // something to match against
   Figures figures_;

@@ -32,11 +32,15 @@ class Motion {
   Motion(const mrpt::math::TPose2D& before_from_after, const Eigen::Matrix3d& covariance)
       : increment_(before_from_after), given_(covariance) {}
 
+  /// Whether its noise was known otherwise.
+  bool isGiven() const { return given_.has_value(); }
   /// Most likely pose after the motion.
   mrpt::math::TPose2D mean(const mrpt::math::TPose2D& before) const {
     return compose(before, increment_);
   }
   mrpt::math::TPose2D sample(const mrpt::math::TPose2D& before, core::RandomStream& rng) const;
+  /// Standard deviations along and across the motion, m, and of the turn, rad.
+  const Eigen::Vector3d& sigma() const { return sigma_; }
   /// Covariance of (x, y, heading), map frame, for a robot that was at `before`.
   Eigen::Matrix3d covariance(const mrpt::math::TPose2D& before) const;
 

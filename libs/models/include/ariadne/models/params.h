@@ -6,6 +6,7 @@ namespace ariadne::models {
 
 /// Odometry noise, rotation-translation-rotation; grows with the net turn (doc/models.md).
 struct MotionParams {
+  bool learn = true;
   double turn_per_turn = 0.3;
   double turn_per_m_deg = 5;
   double travel_per_m = 0.1;
@@ -27,6 +28,9 @@ struct MatcherParams {
 
 template <class V>
 void visitFields(V& v, MotionParams& p) {
+  v.flag("learn", p.learn,
+         "narrow what follows by what scan matching says of this log's odometry, and learn a constant turn per "
+         "metre");
   v.number("turn_per_turn", p.turn_per_turn, {0, 2},
            "standard deviation of the turn, rad per rad of net turn");
   v.number("turn_per_m_deg", p.turn_per_m_deg, {0, 90},

@@ -31,6 +31,7 @@ struct PoseGaussian {
   Eigen::Matrix3d covariance;  ///< of (x, y, heading)
   double log_weight = 0;       ///< log of the integral of likelihood^weight_gain times prior
   double log_likelihood = 0;   ///< untempered, at the mean
+  Eigen::Matrix3d information;  ///< of the scan about the pose, untempered
 
   mrpt::math::TPose2D sample(core::RandomStream& rng) const;
 };
