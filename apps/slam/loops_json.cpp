@@ -35,7 +35,13 @@ Json definitions() {
                    "where their own older map is surely free",
                    kContradicts)},
       {"neff_rule_m", "way after the entry at which the paper's rule would have stopped"},
-      {"slope_rule_m", "the same of the rule on the slope of ln Neff"}};
+      {"slope_rule_m", "the same of the rule on the slope of ln Neff"},
+      {"found",
+       "closures that were searched for and found from metres away; every particle's way was then "
+       "drawn "
+       "anew, given the closure"},
+      {"hit_share", "share of the last metres' beams that end on what was mapped there before"},
+      {"cost", "half the squared Mahalanobis distance of the correction that s* needed"}};
 }
 
 Json moment(std::size_t update, const std::vector<slam::StepReport>& reports) {
@@ -86,6 +92,18 @@ std::string whyThere(std::size_t places, const topology::OpportunityParams& boun
       bounds.c1_m, bounds.c2_m);
 }
 
+Json foundOf(const slam::FoundClosure& f, const std::vector<slam::StepReport>& reports) {
+  return {{"found", moment(f.update, reports)},
+          {"place", moment(f.anchor, reports)},
+          {"drawn_from", moment(f.begin, reports)},
+          {"correction_m", f.correction_m},
+          {"correction_deg", f.correction_deg},
+          {"hit_share", f.hit_share},
+          {"second_share", f.second_share},
+          {"cost", f.cost},
+          {"seconds", f.seconds}};
+}
+
 Json closingOf(const slam::ClosingRecord& record, const std::vector<slam::StepReport>& reports,
                const topology::OpportunityParams& bounds) {
   const closing::Closing& c = record.closing;
@@ -115,6 +133,7 @@ Json closingOf(const slam::ClosingRecord& record, const std::vector<slam::StepRe
 }  // namespace
 
 std::string loopsJson(const std::vector<slam::ClosingRecord>& closings,
+                      const std::vector<slam::FoundClosure>& found,
                       const std::vector<slam::StepReport>& reports,
                       const topology::OpportunityParams& bounds) {
   const LoopCounts n = countLoops(closings);
@@ -122,9 +141,12 @@ std::string loopsJson(const std::vector<slam::ClosingRecord>& closings,
                {"detected", n.detected},
                {"closed", n.closed},
                {"recovered", n.recovered},
-               {"closings", Json::array()}};
+               {"found_from_afar", found.size()},
+               {"closings", Json::array()},
+               {"found", Json::array()}};
   for (const slam::ClosingRecord& c : closings)
     json["closings"].push_back(closingOf(c, reports, bounds));
+  for (const slam::FoundClosure& f : found) json["found"].push_back(foundOf(f, reports));
   return json.dump(2) + "\n";
 }
 

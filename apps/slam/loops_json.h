@@ -11,6 +11,7 @@ namespace ariadne::slam_app {
 /// @param reports one a filter update, for the times
 /// @param bounds by which the opportunities were found
 std::string loopsJson(const std::vector<slam::ClosingRecord>& closings,
+                      const std::vector<slam::FoundClosure>& found,
                       const std::vector<slam::StepReport>& reports,
                       const topology::OpportunityParams& bounds);
 

@@ -59,7 +59,7 @@ const std::vector<Output>& allOutputs() {
        "each loop: detection, entry, what was saved, what recovery brought back",
        false,
        [](const fs::path& file, const Material& m) {
-         io::writeWhole(file, loopsJson(m.result.closings, m.result.record.reports,
+         io::writeWhole(file, loopsJson(m.result.closings, m.result.found, m.result.record.reports,
                                         m.result.config.slam.loop_closing.opportunity));
        }},
       {{"report.html"},

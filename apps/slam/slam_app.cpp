@@ -38,6 +38,8 @@ void printResult(std::ostream& out, const RunResult& result) {
   const LoopCounts loops = countLoops(result.closings);
   fmt::print(out, "Loops: {} detected, {} closed, {} followed by a recovery of diversity\n",
              loops.detected, loops.closed, loops.recovered);
+  if (!result.found.empty())
+    fmt::print(out, "Closures found from metres away: {}\n", result.found.size());
 }
 
 /// Lays the truth over the path of the result; a warning when it is of another time.
@@ -59,6 +61,8 @@ RunResult resultOf(MappingRecord record, const slam::Mapper& mapper, const io::S
   result.path = mapper.path();
   result.closings = mapper.closings();
   result.doubts = mapper.doubts();
+  result.found = mapper.foundClosures();
+  result.learned = mapper.learnedMotion();
   result.counts = source.counts();
   result.laser_label = source.laserLabel();
   result.warnings = resolved.warnings;

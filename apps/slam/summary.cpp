@@ -53,9 +53,23 @@ Json checkFigures(const RunResult& r) {
   return out;
 }
 
-Json loopFigures(const std::vector<slam::ClosingRecord>& closings) {
+/// Shares of [motion] that the log's own matches support, and its constant turn.
+Json learnedMotion(const models::MotionLearner& learned, const models::MotionParams& wide) {
+  if (!wide.learn) return {};
+  const auto [along, across, turn] = learned.scales();
+  return {{"steps", learned.steps()},
+          {"along_scale", along},
+          {"across_scale", across},
+          {"turn_scale", turn},
+          {"turn_deg_per_m", learned.turnPerMetre() * 180 / M_PI}};
+}
+
+Json loopFigures(const std::vector<slam::ClosingRecord>& closings, std::size_t found) {
   const LoopCounts n = countLoops(closings);
-  return {{"detected", n.detected}, {"closed", n.closed}, {"recovered", n.recovered}};
+  return {{"detected", n.detected},
+          {"closed", n.closed},
+          {"recovered", n.recovered},
+          {"found_from_afar", found}};
 }
 
 Json datasetFigures(const RunResult& r) {
@@ -115,7 +129,8 @@ Json summaryOf(const RunResult& result, double writing_s, const std::vector<std:
           {"threads", core::Parallel(result.config.run.threads).threads()},
           {"dataset", datasetFigures(result)},
           {"filter", filterFigures(result.record.reports)},
-          {"loops", loopFigures(result.closings)},
+          {"loops", loopFigures(result.closings, result.found.size())},
+          {"learned_motion", learnedMotion(result.learned, result.config.slam.motion)},
           {"path_length_m", lengthOf(result.path)},
           {"checks", checkFigures(result)},
           {"ate_rmse_m", result.truth ? Json(result.truth->ate_rmse_m) : Json()},

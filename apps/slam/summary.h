@@ -21,6 +21,8 @@ struct RunResult {
   MappingRecord record;
   slam::StageTimes stages;
   std::vector<slam::ClosingRecord> closings;
+  std::vector<slam::FoundClosure> found;
+  models::MotionLearner learned = models::MotionLearner({});
   slam::DoubtCounts doubts;
   std::vector<checks::Check> checks;  ///< their warnings are among the warnings
   models::Trajectory path;            ///< of s*, one pose a scan

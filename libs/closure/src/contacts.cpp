@@ -24,17 +24,20 @@ bool normalAt(const ScanHits& hits, std::size_t i, double& nx, double& ny) {
   return true;
 }
 
-/// Share of the ends of `scan` (placed by `pose`) near one of `wall`; adds what the agreeing ones know.
+/// Share of the ends of `scan` (placed by `pose`) near one of `wall`; adds what the agreeing ones
+/// know.
 double agreement(const ScanHits& wall, const ScanHits& scan, const mrpt::math::TPose2D& pose,
                  double tolerance_m, Eigen::Matrix3d& information) {
-  // Ends of one beam are worth a tenth of what they say: they share the map's and the pose's errors.
+  // Ends of one beam are worth a tenth of what they say: they share the map's and the pose's
+  // errors.
   constexpr double kEndInformation = 0.1 / (0.05 * 0.05);
   std::size_t agree = 0;
   for (const TPoint2D& p : placed(pose, scan)) {
     double nearest = tolerance_m * tolerance_m;
     std::size_t at = wall.size();
     for (std::size_t i = 0; i < wall.size(); ++i) {
-      const double d = (wall[i].x - p.x) * (wall[i].x - p.x) + (wall[i].y - p.y) * (wall[i].y - p.y);
+      const double d =
+          (wall[i].x - p.x) * (wall[i].x - p.x) + (wall[i].y - p.y) * (wall[i].y - p.y);
       if (d < nearest) {
         nearest = d;
         at = i;
@@ -60,9 +63,8 @@ std::vector<Contact> findContacts(const Track& track, const std::vector<ScanHits
     double distance_m;
     std::size_t update;
   };
-  std::array<Nearest, 3> classes = {{{40, params.radius_m, second},
-                                     {15, params.radius_m, second},
-                                     {5, params.radius_m, second}}};
+  std::array<Nearest, 3> classes = {
+      {{40, params.radius_m, second}, {15, params.radius_m, second}, {5, params.radius_m, second}}};
   for (std::size_t k = 0; k < second; ++k) {
     const double way = track.travelled_m[second] - track.travelled_m[k];
     for (Nearest& c : classes) {
@@ -98,7 +100,8 @@ std::vector<double> distancesFromNow(const Track& track, const std::vector<Conta
   for (std::size_t k = 1; k < n; ++k)
     join(k - 1, k, track.travelled_m[k] - track.travelled_m[k - 1]);
   for (const Contact& c : contacts)
-    if (c.second < n) join(c.first, c.second, distance(track.poses[c.first], track.poses[c.second]));
+    if (c.second < n)
+      join(c.first, c.second, distance(track.poses[c.first], track.poses[c.second]));
   using Entry = std::pair<double, std::size_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> next;
   distance_m[n - 1] = 0;

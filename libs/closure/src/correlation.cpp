@@ -17,8 +17,8 @@ struct Scores {
   std::vector<int> turn;
 };
 
-/// Adds, for every offset of the window, whether a point ends on a wall there. Plain loops over bytes:
-/// the compiler uses lanes.
+/// Adds, for every offset of the window, whether a point ends on a wall there. Plain loops over
+/// bytes: the compiler uses lanes.
 void addPoint(const HitRaster& map, int column, int row, int side, std::uint8_t* sums) {
   for (int j = 0; j < side; ++j) {
     const std::uint8_t* from = map.line(row + j) + column;
@@ -69,11 +69,12 @@ std::vector<Mode> correlate(const HitRaster& map, const std::vector<TPoint2D>& p
     const int i = at % scores.side, j = at / scores.side;
     const int turn = scores.turn[static_cast<std::size_t>(at)];
     Mode mode;
-    mode.map_from_piece = {predicted.x + (i - half) * map.cell(), predicted.y + (j - half) * map.cell(),
+    mode.map_from_piece = {predicted.x + (i - half) * map.cell(),
+                           predicted.y + (j - half) * map.cell(),
                            predicted.phi + turn * turn_step_rad};
     mode.hit_share = static_cast<double>(*top) / static_cast<double>(points.size());
-    mode.at_edge = i == 0 || j == 0 || i == scores.side - 1 || j == scores.side - 1 ||
-                   std::abs(turn) == turns;
+    mode.at_edge =
+        i == 0 || j == 0 || i == scores.side - 1 || j == scores.side - 1 || std::abs(turn) == turns;
     modes.push_back(mode);
     for (int y = std::max(0, j - apart); y <= std::min(scores.side - 1, j + apart); ++y)
       for (int x = std::max(0, i - apart); x <= std::min(scores.side - 1, i + apart); ++x)

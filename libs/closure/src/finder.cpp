@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 #include "ariadne/closure/piece.h"
 #include "ariadne/models/motion_model.h"
@@ -23,11 +21,6 @@ constexpr double kHitRange_m = 25;
 constexpr std::size_t kMostHits = 120;
 constexpr std::size_t kMostPoints = 250;
 constexpr double kPieceGain = 0.05;
-
-bool verbose() {
-  static const bool on = std::getenv("ARIADNE_CLOSURES") != nullptr;
-  return on;
-}
 
 bool moved(const TPose2D& a, const TPose2D& b) {
   return distance(a, b) > 0.02 || std::abs(std::remainder(a.phi - b.phi, 2 * M_PI)) > 0.002;
@@ -98,9 +91,9 @@ Finder::Old Finder::oldPlaces(const Track& track) const {
     if (way < params_.least_way_m || by_contacts[k] < params_.least_way_m) continue;
     old.far[k] = true;
     old.drift[k] *= std::min(1.0, by_contacts[k] / way);
-    const double sigma_m = std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(
-                                         old.drift[k].topLeftCorner<2, 2>())
-                                         .eigenvalues()[1]);
+    const double sigma_m =
+        std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(old.drift[k].topLeftCorner<2, 2>())
+                      .eigenvalues()[1]);
     const double half_m = std::min(params_.longest_window_m, 1 + 3 * sigma_m);
     if (distance(track.poses[k], here) > half_m + kReach_m) continue;
     old.half_m = std::max(old.half_m, half_m);
@@ -144,25 +137,16 @@ std::optional<Closure> Finder::search(const Track& track, const Scans& scans) {
       for (const TPoint2D& p : placed(track.poses[k], hits_[k])) raster.mark(p);
   const double share_here =
       static_cast<double>(raster.count(placed(here, piece))) / static_cast<double>(piece.size());
-  const auto modes = correlate(raster, piece, here, {old.half_m, old.half_turn_rad}, kTurnStep_rad,
-                               kApart_m, 2);
+  const auto modes =
+      correlate(raster, piece, here, {old.half_m, old.half_turn_rad}, kTurnStep_rad, kApart_m, 2);
   if (modes.empty()) return std::nullopt;
   const Mode& top = modes[0];
   const double second = modes.size() > 1 ? modes[1].hit_share : 0;
   const bool stands_out = !top.at_edge && top.hit_share >= params_.least_hit_share &&
                           second <= params_.most_second * top.hit_share &&
                           share_here <= params_.most_second * top.hit_share;
-  if (verbose())
-    std::fprintf(stderr,
-                 "LOOK update %zu at %.0f m: window %.1f m %.0f deg, here %.2f, top %.2f%s (%.1f %.1f "
-                 "%.1f deg), second %.2f%s\n",
-                 track.now(), track.travelled_m.back(), old.half_m, old.half_turn_rad * 180 / M_PI,
-                 share_here, top.hit_share, top.at_edge ? " edge" : "", top.map_from_piece.x - here.x,
-                 top.map_from_piece.y - here.y,
-                 std::remainder(top.map_from_piece.phi - here.phi, 2 * M_PI) * 180 / M_PI, second,
-                 stands_out ? " STANDS OUT" : "");
   if (!stands_out) {
-    evidence_ = 0;
+    evidence_ = std::max(0.0, evidence_ - 0.5);
     return std::nullopt;
   }
   const grid::OccupancyGrid map = mapAbout(track, scans, old, top.map_from_piece);
@@ -182,13 +166,15 @@ std::optional<Closure> Finder::search(const Track& track, const Scans& scans) {
   closure.anchor_from_robot = models::relativePose(anchor, fine.map_from_piece);
   closure.correction = models::relativePose(here, fine.map_from_piece);
   const Eigen::Matrix3d floor = Eigen::Vector3d(0.05 * 0.05, 0.05 * 0.05, 8e-5).asDiagonal();
-  const Eigen::Matrix3d known = kPieceGain * likelihood_.information(map, piece, fine.map_from_piece) +
-                                1e-3 * Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d known =
+      kPieceGain * likelihood_.information(map, piece, fine.map_from_piece) +
+      1e-3 * Eigen::Matrix3d::Identity();
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   turn.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(-anchor.phi).toRotationMatrix();
   closure.information = (turn * known.inverse() * turn.transpose() + floor).inverse();
   std::vector<Tie> ties = tiesOf(track, contacts());
-  ties.push_back({closure.anchor, track.now(), closure.anchor_from_robot, closure.information, false});
+  ties.push_back(
+      {closure.anchor, track.now(), closure.anchor_from_robot, closure.information, false});
   const SegmentSample mean = drawSegment(track, 0, ties, drift_, nullptr);
   closure.begin = closure.anchor;
   for (std::size_t k = 0; k < closure.anchor; ++k)
@@ -204,24 +190,20 @@ std::optional<Closure> Finder::search(const Track& track, const Scans& scans) {
       field_here <= params_.most_second_field * fine.field &&
       field_second <= params_.most_second_field * fine.field &&
       fine.contradicting <= params_.most_contradicting && mean.cost <= params_.most_cost;
-  const TPose2D correction = models::compose(
-      fine.map_from_piece, models::relativePose(here, {0, 0, 0}));  // map' from map
+  const TPose2D correction =
+      models::compose(fine.map_from_piece, models::relativePose(here, {0, 0, 0}));  // map' from map
   bool again = false;
   if (pending_) {
     const TPose2D expected = models::compose(*pending_, here);
     again = distance(expected, fine.map_from_piece) < 0.75 &&
             std::abs(std::remainder(expected.phi - fine.map_from_piece.phi, 2 * M_PI)) < 0.09;
   }
-  const double counts = fine.contradicting <= params_.most_contradicting / 2 ? 1 : 0.5;
+  const bool sure = fine.field >= params_.sure_field && mean.cost <= params_.sure_cost &&
+                    fine.contradicting <= params_.sure_contradicting;
+  const double counts = sure ? 1 : 0.5;
   evidence_ = !agrees ? 0 : again ? evidence_ + counts : counts;
   pending_ = correction;
-  if (verbose())
-    std::fprintf(stderr,
-                 "  anchor %zu (%.0f m ago) begin %zu ties %zu, field %.2f here %.2f second %.2f known %.2f "
-                 "against %.2f cost %.1f -> %s %.1f\n",
-                 closure.anchor, track.travelled_m.back() - track.travelled_m[closure.anchor],
-                 closure.begin, ties.size(), fine.field, field_here, field_second, fine.known_share,
-                 fine.contradicting, mean.cost, agrees ? "agrees" : "NO", evidence_);
+  closure.cost = mean.cost;
   if (evidence_ < params_.evidence) return std::nullopt;
   evidence_ = 0;
   pending_.reset();
@@ -233,20 +215,6 @@ std::optional<Closure> Finder::search(const Track& track, const Scans& scans) {
   contacts_.erase(std::remove_if(contacts_.begin(), contacts_.end(),
                                  [&](const Contact& c) { return c.second >= contacts_until_; }),
                   contacts_.end());
-  if (const char* name = std::getenv("ARIADNE_DUMP")) {
-    std::FILE* f = std::fopen((std::string(name) + std::to_string(track.now())).c_str(), "w");
-    for (std::size_t k = 0; k < track.poses.size(); ++k) {
-      const TPose2D m = k == 0 ? track.poses[0] : mean.poses[k - 1];
-      std::fprintf(f, "P %zu %f %f %f %f %f %f\n", k, track.poses[k].x, track.poses[k].y, track.poses[k].phi, m.x, m.y, m.phi);
-    }
-    for (const Tie& t : ties)
-      std::fprintf(f, "T %zu %zu %f %f %f %f %f %f\n", t.first, t.second, t.first_from_second.x, t.first_from_second.y, t.first_from_second.phi, t.information(0,0), t.information(1,1), t.information(2,2));
-    std::fclose(f);
-  }
-  if (verbose())
-    std::fprintf(stderr, "  BENT %zu %zu %.3f %.3f %.4f\n", closure.anchor, track.now(),
-                 closure.anchor_from_robot.x, closure.anchor_from_robot.y,
-                 closure.anchor_from_robot.phi);
   return closure;
 }
 

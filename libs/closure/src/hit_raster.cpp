@@ -10,13 +10,16 @@ HitRaster::HitRaster(const mrpt::math::TPoint2D& centre, double half_m, double c
       low_(centre.x - 0.5 * size_ * cell_m, centre.y - 0.5 * size_ * cell_m),
       hits_(static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_)) {}
 
-int HitRaster::column(double x) const { return static_cast<int>(std::floor((x - low_.x) / cell_m_)); }
+int HitRaster::column(double x) const {
+  return static_cast<int>(std::floor((x - low_.x) / cell_m_));
+}
 int HitRaster::row(double y) const { return static_cast<int>(std::floor((y - low_.y) / cell_m_)); }
 
 void HitRaster::mark(const mrpt::math::TPoint2D& p) {
   const int i = column(p.x), j = row(p.y);
   if (i < 0 || j < 0 || i >= size_ || j >= size_) return;
-  hits_[static_cast<std::size_t>(j) * static_cast<std::size_t>(size_) + static_cast<std::size_t>(i)] = 1;
+  hits_[static_cast<std::size_t>(j) * static_cast<std::size_t>(size_) +
+        static_cast<std::size_t>(i)] = 1;
 }
 
 std::size_t HitRaster::count(const std::vector<mrpt::math::TPoint2D>& points) const {

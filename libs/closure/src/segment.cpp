@@ -104,7 +104,8 @@ class Chain {
     if (!analysed_) solver_.analyzePattern(hessian);
     analysed_ = true;
     solver_.factorize(hessian);
-    if (solver_.info() != Eigen::Success) throw std::runtime_error("closure: the chain is singular");
+    if (solver_.info() != Eigen::Success)
+      throw std::runtime_error("closure: the chain is singular");
     const Eigen::VectorXd by = solver_.solve(gradient);
     for (std::size_t k = 0; k < poses_.size(); ++k)
       poses_[k] = poseOf(vectorOf(poses_[k]) + by.segment<3>(static_cast<Eigen::Index>(3 * k)));
@@ -174,11 +175,12 @@ std::vector<TPose2D> spread(const Track& track, const std::vector<std::size_t>& 
     const double way = track.travelled_m[keys[i]] - track.travelled_m[keys[i - 1]];
     for (std::size_t k = keys[i - 1] + 1; k <= keys[i]; ++k) {
       const double share =
-          k == keys[i] ? 1
-                       : (way > 0 ? (track.travelled_m[k] - track.travelled_m[keys[i - 1]]) / way : 0);
-      out.push_back(models::compose(
-          models::compose(from, models::relativePose(old_from, track.poses[k])),
-          {share * missing.x, share * missing.y, share * missing.phi}));
+          k == keys[i]
+              ? 1
+              : (way > 0 ? (track.travelled_m[k] - track.travelled_m[keys[i - 1]]) / way : 0);
+      out.push_back(
+          models::compose(models::compose(from, models::relativePose(old_from, track.poses[k])),
+                          {share * missing.x, share * missing.y, share * missing.phi}));
     }
   }
   return out;

@@ -39,10 +39,6 @@ CParticleFilter::TParticleFilterOptions particleFilterOptions(const FilterParams
   return options;
 }
 
-namespace {
-
-}  // namespace
-
 ParticleSet::ParticleSet(const FilterModels& models, const core::Parallel& parallel,
                          const mrpt::math::TPose2D& start, const grid::OccupancyGrid& map)
     : models_(models),

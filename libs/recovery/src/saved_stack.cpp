@@ -32,9 +32,9 @@ void SavedStack::drop(std::size_t name) {
 }
 
 void SavedStack::dropAfter(std::size_t step) {
-  sets_.erase(std::remove_if(sets_.begin(), sets_.end(),
-                             [&](const Named& n) { return n.set.te > step; }),
-              sets_.end());
+  sets_.erase(
+      std::remove_if(sets_.begin(), sets_.end(), [&](const Named& n) { return n.set.te > step; }),
+      sets_.end());
 }
 
 bool SavedStack::holds(std::size_t name) const {

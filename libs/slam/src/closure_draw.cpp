@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "ariadne/models/motion_model.h"
 
@@ -11,7 +10,8 @@ namespace {
 
 using closure::Track;
 
-/// A line with other poses after te; what the filter weighed stays, and the closure's density comes to it.
+/// A line with other poses after te; what the filter weighed stays, and the closure's density comes
+/// to it.
 filter::AncestorPtr lineWith(const filter::AncestorPtr& leaf, std::size_t te,
                              const std::vector<mrpt::math::TPose2D>& poses, double log_density) {
   std::vector<const filter::Ancestor*> nodes;
@@ -37,11 +37,11 @@ bool closed(const mrpt::math::TPose2D& off) {
 }  // namespace
 
 recovery::RecoveredSet drawGiven(const closure::Closure& found, const closure::Finder& finder,
+                                 const recovery::SavedSet& present,
                                  const filter::ParticleSet& particles,
                                  const std::vector<topology::PlaceGraph>& graphs,
                                  const recovery::RecoveryInputs& inputs) {
   const std::size_t n = particles.size();
-  const recovery::SavedSet present = recovery::save(particles, graphs, found.begin);
   std::vector<filter::AncestorPtr> leaves(n);
   std::vector<double> log_density(n);
   inputs.parallel.forEach(n, [&](std::size_t i) {
@@ -52,8 +52,8 @@ recovery::RecoveredSet drawGiven(const closure::Closure& found, const closure::F
     ties.push_back({found.anchor, track.now(), found.anchor_from_robot, found.information, false});
     core::RandomStream rng(inputs.seed, static_cast<std::uint32_t>(particles.step()),
                            static_cast<std::uint32_t>(i), core::Purpose::closure);
-    const auto sample =
-        closure::drawSegment(track, found.begin, ties, finder.drift(), closed(off) || std::getenv("ARIADNE_MEAN") ? nullptr : &rng);
+    const auto sample = closure::drawSegment(track, found.begin, ties, finder.drift(),
+                                             closed(off) ? nullptr : &rng);
     log_density[i] = -sample.cost;
     if (!closed(off))
       leaves[i] = lineWith(particles[i].ancestor, found.begin, sample.poses, -sample.cost);

@@ -70,6 +70,13 @@ std::size_t earliestCheckpoint(const recovery::SavedSet& saved) {
   return earliest;
 }
 
+closure::FinderParams finderParams(const closing::ClosingParams& p) {
+  closure::FinderParams out;
+  out.least_way_m = p.opportunity.c2_m;
+  out.longest_window_m = p.search_window_m;
+  return out;
+}
+
 }  // namespace
 
 LoopCloser::LoopCloser(const SlamParams& params, const core::Parallel& parallel)
@@ -77,7 +84,7 @@ LoopCloser::LoopCloser(const SlamParams& params, const core::Parallel& parallel)
       parallel_(parallel),
       watcher_(params.loop_closing),
       stack_(params.recovery.memory_budget_mb),
-      finder_({}, {}, params.grid, params.likelihood) {}
+      finder_(finderParams(params.loop_closing), {}, params.grid, params.likelihood) {}
 
 void LoopCloser::extendGraphs(const filter::ParticleSet& particles) {
   if (graphs_.empty()) {
@@ -196,24 +203,32 @@ void LoopCloser::recover(std::size_t name, filter::ParticleSet& particles, const
   extra.recovery = std::move(record);
 }
 
-std::optional<closure::Closure> LoopCloser::search(const filter::ParticleSet& particles,
-                                                   const Scans& scans) {
-  if (!params_.loop_closing.enabled || std::getenv("ARIADNE_NO_SEARCH")) return std::nullopt;
-  return finder_.look(particles[particles.best()].ancestor, scans);
-}
-
-void LoopCloser::draw(const closure::Closure& found, filter::ParticleSet& particles,
-                      const Scans& scans) {
-  // What was saved after the anchor belongs to ways that are replaced.
-  stack_.dropAfter(found.begin);
-  const recovery::SavedSet present = recovery::save(particles, graphs_, found.begin);
+void LoopCloser::search(filter::ParticleSet& particles, const Scans& scans) {
+  if (!params_.loop_closing.enabled || !params_.loop_closing.search) return;
+  const auto closure = finder_.look(particles[particles.best()].ancestor, scans);
+  if (!closure) return;
+  const auto start = std::chrono::steady_clock::now();
+  // What was saved after the beginning belongs to ways that are replaced.
+  stack_.dropAfter(closure->begin);
+  const recovery::SavedSet present = recovery::save(particles, graphs_, closure->begin);
   const auto shapes = shapesAfter(scans, earliestCheckpoint(present), params_.grid, parallel_);
   recovery::RecoveredSet set =
-      drawGiven(found, finder_, particles, graphs_,
+      drawGiven(*closure, finder_, present, particles, graphs_,
                 {shapes, static_cast<std::size_t>(params_.update.checkpoint_updates),
                  params_.filter.seed, parallel_});
   particles.replace(std::move(set.particles), set.weights);
   setGraphs(std::move(set.graphs));
+  FoundClosure found;
+  found.update = particles.step() - 1;
+  found.anchor = closure->anchor;
+  found.begin = closure->begin;
+  found.correction_m = std::hypot(closure->correction.x, closure->correction.y);
+  found.correction_deg = std::abs(closure->correction.phi) * 180 / M_PI;
+  found.hit_share = closure->hit_share;
+  found.second_share = closure->second_share;
+  found.cost = closure->cost;
+  found.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  found_.push_back(found);
 }
 
 std::vector<ClosingRecord> LoopCloser::records() const {

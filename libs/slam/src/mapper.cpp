@@ -171,13 +171,9 @@ StepReport Mapper::Impl::update(const models::SensorStep& step, const TPose2D& m
       if (before_recovery) before_recovery();
       loops.recover(*ended, particles, scans);
     }
-    if (const auto found = loops.search(particles, scans)) loops.draw(*found, particles, scans);
+    loops.search(particles, scans);
   }
   report.best = particles.best();  // recovery may have brought another
-  if (std::getenv("ARIADNE_CLOSURES") && particles.step() % 100 == 0) {
-    const auto s = particles.learned().scales();
-    std::fprintf(stderr, "LEARNED %zu along %.2f across %.2f turn %.2f bias %.2f deg/m\n", particles.step(), s[0], s[1], s[2], particles.learned().turnPerMetre() * 180 / M_PI);
-  }
   report.map_from_robot = particles[report.best].map_from_robot;
   return report;
 }
@@ -284,6 +280,9 @@ mrpt::maps::CSimpleMap Mapper::simpleMap() const {
 
 const std::vector<topology::PlaceGraph>& Mapper::graphs() const { return impl_->loops.graphs(); }
 std::vector<ClosingRecord> Mapper::closings() const { return impl_->loops.records(); }
+
+const std::vector<FoundClosure>& Mapper::foundClosures() const { return impl_->loops.found(); }
+const models::MotionLearner& Mapper::learnedMotion() const { return impl_->particles.learned(); }
 
 std::vector<const closing::Closing*> Mapper::openClosings() const {
   return impl_->loops.openClosings();

@@ -15,6 +15,8 @@ struct ClosingParams {
   double approach_limit_m = 30;
   double leave_after_m = 4;
   double cooldown_m = 5;
+  bool search = true;
+  double search_window_m = 10;
   Stop stop = Stop::leaving;
   double arm_distance_m = 5;
   double neff_window_m = 10;
@@ -33,6 +35,12 @@ void visitFields(V& v, ClosingParams& p) {
   v.number("leave_after_m", p.leave_after_m, {0.1, 1000},
            "the closing ends when the robot has been to no place of before for so far");
   v.number("cooldown_m", p.cooldown_m, {0, 10000}, "no loop is looked for so far after a closing");
+  v.flag("search", p.search,
+         "look for the place where the loop should close, from metres away, and draw the way since "
+         "given it; "
+         "false is the paper's filter");
+  v.number("search_window_m", p.search_window_m, {0.5, 30},
+           "a place is looked for this far from where the robot should be, at the most");
   v.choice(
       "stop", p.stop,
       core::Choices<Stop>{{"leaving", Stop::leaving},

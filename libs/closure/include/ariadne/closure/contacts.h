@@ -1,5 +1,5 @@
-// Where a path came by its own places again and its scans agree: the closures that the filter made by
-// itself.
+// Where a path came by its own places again and its scans agree: the closures that the filter made
+// by itself.
 #pragma once
 #include <Eigen/Dense>
 #include <cstddef>
@@ -13,7 +13,8 @@ namespace ariadne::closure {
 struct Contact {
   std::size_t first = 0;
   std::size_t second = 0;
-  /// Of second seen from first: how well the walls that both saw hold (x, y, heading) to each other.
+  /// Of second seen from first: how well the walls that both saw hold (x, y, heading) to each
+  /// other.
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
 };
 
@@ -23,9 +24,9 @@ struct ContactParams {
   double least_share = 0.5;  ///< of the later scan's ends agree
 };
 
-/// Contacts of update `second` with the nearest places of a while ago, of longer ago and of long ago (by
-/// the way since), where the scans agree. What was seen again within some metres counts as well: it is
-/// what holds a path together better than its steps alone.
+/// Contacts of update `second` with the nearest places of a while ago, of longer ago and of long
+/// ago (by the way since), where the scans agree. What was seen again within some metres counts as
+/// well: it is what holds a path together better than its steps alone.
 std::vector<Contact> findContacts(const Track& track, const std::vector<ScanHits>& hits,
                                   std::size_t second, const ContactParams& params);
 

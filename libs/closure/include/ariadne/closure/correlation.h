@@ -1,6 +1,6 @@
 // Where a rigid piece of scans fits a map best, over a window of poses: all of them are tried
-// (correlative scan matching, E. Olson, "Real-time correlative scan matching", ICRA 2009). The whole
-// volume is scored, so that it is known how good the second-best place is.
+// (correlative scan matching, E. Olson, "Real-time correlative scan matching", ICRA 2009). The
+// whole volume is scored, so that it is known how good the second-best place is.
 #pragma once
 #include <mrpt/math/TPoint2D.h>
 #include <mrpt/math/TPose2D.h>
@@ -20,8 +20,8 @@ struct SearchWindow {
 /// A place that the piece fits.
 struct Mode {
   mrpt::math::TPose2D map_from_piece;
-  double hit_share = 0;   ///< share of the piece's points that end on a mapped wall
-  bool at_edge = false;   ///< of the window: the true peak may lie outside
+  double hit_share = 0;  ///< share of the piece's points that end on a mapped wall
+  bool at_edge = false;  ///< of the window: the true peak may lie outside
 };
 
 /// The best places, `apart_m` from each other at the least, best first, at most `count`.

@@ -1,6 +1,7 @@
-// Looks for the place at which a loop should close, from metres away: the last metres of scans as one
-// piece against what was seen there before, over the window that the drift since then asks for. A place
-// is told only when it stands out, contradicts nothing, and was found again some metres later.
+// Looks for the place at which a loop should close, from metres away: the last metres of scans as
+// one piece against what was seen there before, over the window that the drift since then asks for.
+// A place is told only when it stands out, contradicts nothing, and was found again some metres
+// later.
 #pragma once
 #include <mrpt/obs/CObservation2DRangeScan.h>
 
@@ -22,13 +23,17 @@ struct FinderParams {
   double piece_m = 10;           ///< length of the piece
   double longest_window_m = 10;  ///< half width of the window at the most
   double least_hit_share = 0.55;
-  double most_second = 0.8;      ///< the second-best place has at most this share of the best
-  double least_known = 0.6;      ///< of the piece lies where the old map is known
-  double least_field = 0.5;
+  double most_second = 0.8;  ///< the second-best place has at most this share of the best
+  double least_known = 0.6;  ///< of the piece lies where the old map is known
+  double least_field = 0.42;
   double most_second_field = 0.85;
-  double most_contradicting = 0.3;
-  double most_cost = 12;         ///< of the path given the closure, see SegmentSample
-  double evidence = 2;           ///< searches that agree; one that contradicts a little counts half
+  double most_contradicting = 0.33;
+  double most_cost = 30;  ///< of the path given the closure, see SegmentSample
+  /// A search that finds the place again counts 1 when it is sure in all of these, else one half.
+  double sure_field = 0.5;
+  double sure_contradicting = 0.15;
+  double sure_cost = 12;
+  double evidence = 2;  ///< counts, one search after the other
 };
 
 /// Where the robot is now, seen from a place of before.
@@ -39,6 +44,7 @@ struct Closure {
   Eigen::Matrix3d information;  ///< (x, y, heading) in the anchor's frame
   double hit_share = 0;
   double second_share = 0;
+  double cost = 0;                 ///< of the path of s* given the closure, see SegmentSample
   mrpt::math::TPose2D correction;  ///< from where the robot was thought to be, in its own frame
 };
 
@@ -49,7 +55,8 @@ class Finder {
   Finder(const FinderParams& params, const DriftParams& drift, const grid::GridParams& grid,
          const grid::LikelihoodParams& likelihood);
 
-  /// To be called after each update with the path of s*. Returns a closure that was found and confirmed.
+  /// To be called after each update with the path of s*. Returns a closure that was found and
+  /// confirmed.
   /// @param scans of all updates so far
   std::optional<Closure> look(const filter::AncestorPtr& best, const Scans& scans);
   /// Where the path closed by itself, and what was found.

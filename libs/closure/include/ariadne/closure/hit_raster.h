@@ -1,5 +1,5 @@
-// Where walls are, coarsely: one byte per cell, 1 where a beam ended. What a piece of the path is laid
-// over when its place is searched for.
+// Where walls are, coarsely: one byte per cell, 1 where a beam ended. What a piece of the path is
+// laid over when its place is searched for.
 #pragma once
 #include <mrpt/math/TPoint2D.h>
 

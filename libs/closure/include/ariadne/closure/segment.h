@@ -1,8 +1,8 @@
-// The way since an entry point, drawn given its closures: a better sampler for Eq. (13). The steps of the
-// path are a chain of Gaussians, the closures tie its nodes together; a sample is found by perturbing
-// every measurement by its own noise and optimising (perturb and optimise: exact where the problem is
-// linear). After the block proposal of Beevers and Huang, "Fixed-lag sampling strategies for particle
-// filtering SLAM", ICRA 2007; here the lag is the loop.
+// The way since an entry point, drawn given its closures: a better sampler for Eq. (13). The steps
+// of the path are a chain of Gaussians, the closures tie its nodes together; a sample is found by
+// perturbing every measurement by its own noise and optimising (perturb and optimise: exact where
+// the problem is linear). After the block proposal of Beevers and Huang, "Fixed-lag sampling
+// strategies for particle filtering SLAM", ICRA 2007; here the lag is the loop.
 #pragma once
 #include <mrpt/math/TPose2D.h>
 
@@ -17,10 +17,10 @@ namespace ariadne::closure {
 
 /// How far a path that scans were matched on drifts.
 struct DriftParams {
-  double along_per_sqrt_m = 0.03;       ///< m per root metre
-  double across_per_sqrt_m = 0.015;     ///< m per root metre
-  double turn_per_sqrt_m_deg = 0.3;     ///< degrees per root metre
-  double turn_per_turn = 0.02;          ///< rad per rad turned
+  double along_per_sqrt_m = 0.03;    ///< m per root metre
+  double across_per_sqrt_m = 0.015;  ///< m per root metre
+  double turn_per_sqrt_m_deg = 0.3;  ///< degrees per root metre
+  double turn_per_turn = 0.02;       ///< rad per rad turned
 
   /// Variances of (along, across, heading) of a step.
   Eigen::Vector3d variances(double way_m, double turned_rad) const;
@@ -40,8 +40,8 @@ std::vector<Tie> tiesOf(const Track& track, const std::vector<Contact>& contacts
 
 struct SegmentSample {
   std::vector<mrpt::math::TPose2D> poses;  ///< of updates te + 1 to the last
-  /// Half the squared Mahalanobis distance between the path as it was and the ties: minus the log of
-  /// the density of the needed correction, constants left out.
+  /// Half the squared Mahalanobis distance between the path as it was and the ties: minus the log
+  /// of the density of the needed correction, constants left out.
   double cost = 0;
 };
 
@@ -50,8 +50,8 @@ struct SegmentSample {
 SegmentSample drawSegment(const Track& track, std::size_t te, const std::vector<Tie>& ties,
                           const DriftParams& drift, core::RandomStream* rng);
 
-/// Covariance of the last pose of the path given each update, (x, y, heading), map frame: the steps since,
-/// nothing else.
+/// Covariance of the last pose of the path given each update, (x, y, heading), map frame: the steps
+/// since, nothing else.
 std::vector<Eigen::Matrix3d> driftSinceEach(const Track& track, const DriftParams& drift);
 
 }  // namespace ariadne::closure

@@ -1,5 +1,5 @@
-// The path of one hypothesis by filter update, with the scans taken on it: what closures are searched
-// on.
+// The path of one hypothesis by filter update, with the scans taken on it: what closures are
+// searched on.
 #pragma once
 #include <mrpt/math/TPoint2D.h>
 #include <mrpt/math/TPose2D.h>

@@ -90,8 +90,9 @@ class ParticleSet
     double log_weight = 0;
     double log_likelihood = 0;
     bool match_accepted = false;
-    mrpt::math::TPose2D match;    // pose that the proposal is about
-    Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  // of the scan there; zero when not fitted
+    mrpt::math::TPose2D match;  // pose that the proposal is about
+    Eigen::Matrix3d information =
+        Eigen::Matrix3d::Zero();  // of the scan there; zero when not fitted
   };
   void predictMatchWeigh(const mrpt::obs::CActionCollection* action,
                          const mrpt::obs::CSensoryFrame* observation);

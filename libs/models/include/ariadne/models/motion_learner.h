@@ -1,7 +1,7 @@
-// What the log itself tells about its odometry: how far the steps that scans were matched on lie from those
-// of the odometry. Starts as wide as [motion] says and narrows as matches come; learns a constant turn per
-// metre as well (a wheel that is larger than the other). Uses s* alone, so that it is the same on any number
-// of threads.
+// What the log itself tells about its odometry: how far the steps that scans were matched on lie
+// from those of the odometry. Starts as wide as [motion] says and narrows as matches come; learns a
+// constant turn per metre as well (a wheel that is larger than the other). Uses s* alone, so that
+// it is the same on any number of threads.
 #pragma once
 #include <mrpt/math/TPose2D.h>
 
@@ -22,7 +22,8 @@ class MotionLearner {
   /// @param increment of the odometry, m and rad, in the frame before the motion
   /// @param matched the same by the scan match
   /// @param before map_from_robot before the motion
-  /// @param information of the scan about (x, y, heading), map frame: a direction in which the scan knows
+  /// @param information of the scan about (x, y, heading), map frame: a direction in which the scan
+  /// knows
   ///   little (along a bare corridor) says nothing about the odometry
   void add(const mrpt::math::TPose2D& increment, const mrpt::math::TPose2D& matched,
            const mrpt::math::TPose2D& before, const Eigen::Matrix3d& information);

@@ -29,7 +29,8 @@ struct MatcherParams {
 template <class V>
 void visitFields(V& v, MotionParams& p) {
   v.flag("learn", p.learn,
-         "narrow what follows by what scan matching says of this log's odometry, and learn a constant turn per "
+         "narrow what follows by what scan matching says of this log's odometry, and learn a "
+         "constant turn per "
          "metre");
   v.number("turn_per_turn", p.turn_per_turn, {0, 2},
            "standard deviation of the turn, rad per rad of net turn");

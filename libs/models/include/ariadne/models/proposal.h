@@ -27,10 +27,10 @@ struct PosePrior {
 };
 
 struct PoseGaussian {
-  mrpt::math::TPose2D mean;    ///< map frame
-  Eigen::Matrix3d covariance;  ///< of (x, y, heading)
-  double log_weight = 0;       ///< log of the integral of likelihood^weight_gain times prior
-  double log_likelihood = 0;   ///< untempered, at the mean
+  mrpt::math::TPose2D mean;     ///< map frame
+  Eigen::Matrix3d covariance;   ///< of (x, y, heading)
+  double log_weight = 0;        ///< log of the integral of likelihood^weight_gain times prior
+  double log_likelihood = 0;    ///< untempered, at the mean
   Eigen::Matrix3d information;  ///< of the scan about the pose, untempered
 
   mrpt::math::TPose2D sample(core::RandomStream& rng) const;

@@ -38,6 +38,19 @@ struct RecoveryRecord {
   std::vector<filter::AncestorPtr> after;  ///< and the one that came
 };
 
+/// A closure that was searched for and found from metres away.
+struct FoundClosure {
+  std::size_t update = 0;   ///< after which the ways were drawn anew
+  std::size_t anchor = 0;   ///< update at the place that the robot is back at
+  std::size_t begin = 0;    ///< the ways were drawn anew from this update on
+  double correction_m = 0;  ///< of s*
+  double correction_deg = 0;
+  double hit_share = 0;     ///< of the last metres' beams end on what was there before
+  double second_share = 0;  ///< the same at the second-best place
+  double cost = 0;          ///< half the squared Mahalanobis distance of what s* had to be moved by
+  double seconds = 0;       ///< wall clock of drawing
+};
+
 struct ClosingRecord {
   closing::Closing closing;
   std::optional<SavingRecord> saving;

@@ -31,12 +31,11 @@ class LoopCloser {
   void recover(std::size_t closing, filter::ParticleSet& particles,
                const std::vector<mrpt::obs::CObservation2DRangeScan::Ptr>& scans);
 
-  /// The closure that was looked for since the last update and found, if there is one.
-  std::optional<closure::Closure> search(const filter::ParticleSet& particles,
-                                         const std::vector<mrpt::obs::CObservation2DRangeScan::Ptr>& scans);
-  /// Draws every particle's way anew, given the closure.
-  void draw(const closure::Closure& found, filter::ParticleSet& particles,
-            const std::vector<mrpt::obs::CObservation2DRangeScan::Ptr>& scans);
+  /// Looks for the place at which a loop should close, and when it is found draws every particle's
+  /// way anew, given it. To be called after each update and its recovery.
+  void search(filter::ParticleSet& particles,
+              const std::vector<mrpt::obs::CObservation2DRangeScan::Ptr>& scans);
+  const std::vector<FoundClosure>& found() const { return found_; }
 
   /// G of every particle.
   const std::vector<topology::PlaceGraph>& graphs() const { return graphs_; }
@@ -78,6 +77,7 @@ class LoopCloser {
   closing::LoopWatcher watcher_;
   recovery::SavedStack stack_;
   closure::Finder finder_;
+  std::vector<FoundClosure> found_;
   std::vector<topology::PlaceGraph> graphs_;
   std::vector<PastSet> past_;        // by update
   std::vector<double> travelled_m_;  // by update

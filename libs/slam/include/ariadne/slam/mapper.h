@@ -79,6 +79,10 @@ class Mapper {
   const std::vector<topology::PlaceGraph>& graphs() const;
   /// All closings so far.
   std::vector<ClosingRecord> closings() const;
+  /// Closures that were searched for and found, in their order.
+  const std::vector<FoundClosure>& foundClosures() const;
+  /// What the log told about its odometry.
+  const models::MotionLearner& learnedMotion() const;
   /// Those that are open, the outermost first; until the next step is processed.
   std::vector<const closing::Closing*> openClosings() const;
   StageTimes times() const;
