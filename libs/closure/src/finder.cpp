@@ -20,7 +20,10 @@ constexpr double kReach_m = 6;  // the piece sees this far ahead of the robot we
 constexpr double kHitRange_m = 25;
 constexpr std::size_t kMostHits = 120;
 constexpr std::size_t kMostPoints = 250;
-constexpr double kPieceGain = 0.05;
+constexpr std::size_t kFewestPoints = 60;
+constexpr double kPieceGain =
+    0.05;  // twenty points of the piece are worth one: they share their errors
+constexpr double kSamePlace_m = 3;
 
 bool moved(const TPose2D& a, const TPose2D& b) {
   return distance(a, b) > 0.02 || std::abs(std::remainder(a.phi - b.phi, 2 * M_PI)) > 0.002;
@@ -39,6 +42,11 @@ bool isFirm(const Contact& c) {
 }
 
 }  // namespace
+
+struct Finder::Sighting {
+  Mode top;
+  std::optional<Mode> second;
+};
 
 /// Places that a loop could close at.
 struct Finder::Old {
@@ -123,13 +131,10 @@ grid::OccupancyGrid Finder::mapAbout(const Track& track, const Scans& scans, con
   return map;
 }
 
-std::optional<Closure> Finder::search(const Track& track, const Scans& scans) {
-  const Old old = oldPlaces(track);
-  if (old.half_m == 0) return std::nullopt;
+/// Where the piece fits what was seen there before; nothing when no place stands out.
+std::optional<Finder::Sighting> Finder::lookAround(const Track& track, const Old& old,
+                                                   const std::vector<TPoint2D>& piece) const {
   const TPose2D& here = track.poses.back();
-  const std::vector<TPoint2D> piece =
-      lastPiece(track, hits_, params_.piece_m, kCell_m, kMostPoints);
-  if (piece.size() < 60) return std::nullopt;
   const double half_m = old.half_m + radiusOf(piece) + 2 * kCell_m;
   HitRaster raster({here.x, here.y}, half_m, kCell_m);
   for (std::size_t k = 0; k < track.poses.size(); ++k)
@@ -139,83 +144,104 @@ std::optional<Closure> Finder::search(const Track& track, const Scans& scans) {
       static_cast<double>(raster.count(placed(here, piece))) / static_cast<double>(piece.size());
   const auto modes =
       correlate(raster, piece, here, {old.half_m, old.half_turn_rad}, kTurnStep_rad, kApart_m, 2);
-  if (modes.empty()) return std::nullopt;
-  const Mode& top = modes[0];
-  const double second = modes.size() > 1 ? modes[1].hit_share : 0;
-  const bool stands_out = !top.at_edge && top.hit_share >= params_.least_hit_share &&
-                          second <= params_.most_second * top.hit_share &&
-                          share_here <= params_.most_second * top.hit_share;
-  if (!stands_out) {
-    evidence_ = std::max(0.0, evidence_ - 0.5);
+  if (modes.empty() || modes[0].at_edge || modes[0].hit_share < params_.least_hit_share)
     return std::nullopt;
-  }
-  const grid::OccupancyGrid map = mapAbout(track, scans, old, top.map_from_piece);
-  const Refined fine = refine(map, piece, top.map_from_piece);
+  const double most = params_.most_second * modes[0].hit_share;
+  if (share_here > most || (modes.size() > 1 && modes[1].hit_share > most)) return std::nullopt;
+  Sighting sighting{modes[0], {}};
+  if (modes.size() > 1) sighting.second = modes[1];
+  return sighting;
+}
+
+/// The closure at a pose of the piece: anchored at the last visit of the place, since what was
+/// before it stays as it is.
+Closure Finder::closureAt(const Track& track, const Old& old, const grid::OccupancyGrid& map,
+                          const std::vector<TPoint2D>& piece, const TPose2D& pose) const {
   Closure closure;
-  closure.hit_share = top.hit_share;
-  closure.second_share = second;
-  // The last visit of the place: what was before it stays as it is.
   double nearest = 1e9;
   for (std::size_t k = 0; k < track.poses.size(); ++k) {
     if (!old.far[k]) continue;
-    const double d = distance(track.poses[k], fine.map_from_piece);
-    if (d < std::max(nearest, 3.0)) closure.anchor = k;
+    const double d = distance(track.poses[k], pose);
+    if (d < std::max(nearest, kSamePlace_m)) closure.anchor = k;
     nearest = std::min(nearest, d);
   }
   const TPose2D& anchor = track.poses[closure.anchor];
-  closure.anchor_from_robot = models::relativePose(anchor, fine.map_from_piece);
-  closure.correction = models::relativePose(here, fine.map_from_piece);
-  const Eigen::Matrix3d floor = Eigen::Vector3d(0.05 * 0.05, 0.05 * 0.05, 8e-5).asDiagonal();
+  closure.anchor_from_robot = models::relativePose(anchor, pose);
+  closure.correction = models::relativePose(track.poses.back(), pose);
   const Eigen::Matrix3d known =
-      kPieceGain * likelihood_.information(map, piece, fine.map_from_piece) +
-      1e-3 * Eigen::Matrix3d::Identity();
+      kPieceGain * likelihood_.information(map, piece, pose) + 1e-3 * Eigen::Matrix3d::Identity();
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   turn.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(-anchor.phi).toRotationMatrix();
-  closure.information = (turn * known.inverse() * turn.transpose() + floor).inverse();
+  closure.information = (turn * known.inverse() * turn.transpose() + tieFloor()).inverse();
   std::vector<Tie> ties = tiesOf(track, contacts());
   ties.push_back(
       {closure.anchor, track.now(), closure.anchor_from_robot, closure.information, false});
   const SegmentSample mean = drawSegment(track, 0, ties, drift_, nullptr);
-  closure.begin = closure.anchor;
-  for (std::size_t k = 0; k < closure.anchor; ++k)
-    if (moved(track.poses[k + 1], mean.poses[k])) {
-      closure.begin = k;
-      break;
-    }
-  const double field_here = refine(map, piece, here).field;
-  const double field_second =
-      modes.size() > 1 ? refine(map, piece, modes[1].map_from_piece).field : 0;
-  const bool agrees =
-      fine.known_share >= params_.least_known && fine.field >= params_.least_field &&
-      field_here <= params_.most_second_field * fine.field &&
-      field_second <= params_.most_second_field * fine.field &&
-      fine.contradicting <= params_.most_contradicting && mean.cost <= params_.most_cost;
-  const TPose2D correction =
-      models::compose(fine.map_from_piece, models::relativePose(here, {0, 0, 0}));  // map' from map
-  bool again = false;
+  closure.cost = mean.cost;
+  closure.begin = 0;
+  while (closure.begin < closure.anchor &&
+         !moved(track.poses[closure.begin + 1], mean.poses[closure.begin]))
+    ++closure.begin;
+  return closure;
+}
+
+/// Whether the place was found where the last search had found it; remembers this one.
+bool Finder::again(const TPose2D& here, const TPose2D& pose) {
+  bool same = false;
   if (pending_) {
     const TPose2D expected = models::compose(*pending_, here);
-    again = distance(expected, fine.map_from_piece) < 0.75 &&
-            std::abs(std::remainder(expected.phi - fine.map_from_piece.phi, 2 * M_PI)) < 0.09;
+    same = distance(expected, pose) < 0.75 &&
+           std::abs(std::remainder(expected.phi - pose.phi, 2 * M_PI)) < 0.09;
   }
-  const bool sure = fine.field >= params_.sure_field && mean.cost <= params_.sure_cost &&
+  pending_ = models::compose(pose, models::relativePose(here, {0, 0, 0}));  // map' from map
+  return same;
+}
+
+std::optional<Closure> Finder::search(const Track& track, const Scans& scans) {
+  const Old old = oldPlaces(track);
+  if (old.half_m == 0) return std::nullopt;
+  const std::vector<TPoint2D> piece =
+      lastPiece(track, hits_, params_.piece_m, kCell_m, kMostPoints);
+  if (piece.size() < kFewestPoints) return std::nullopt;
+  const auto sighting = lookAround(track, old, piece);
+  if (!sighting) {
+    // One place that does not stand out for a moment is no sign against it.
+    evidence_ = std::max(0.0, evidence_ - 0.5);
+    return std::nullopt;
+  }
+  const grid::OccupancyGrid map = mapAbout(track, scans, old, sighting->top.map_from_piece);
+  const Refined fine = refine(map, piece, sighting->top.map_from_piece);
+  const double most_field = params_.most_second_field * fine.field;
+  Closure closure = closureAt(track, old, map, piece, fine.map_from_piece);
+  const bool agrees =
+      fine.known_share >= params_.least_known && fine.field >= params_.least_field &&
+      fine.contradicting <= params_.most_contradicting && closure.cost <= params_.most_cost &&
+      refine(map, piece, track.poses.back()).field <= most_field &&
+      (!sighting->second ||
+       refine(map, piece, sighting->second->map_from_piece).field <= most_field);
+  const bool sure = fine.field >= params_.sure_field && closure.cost <= params_.sure_cost &&
                     fine.contradicting <= params_.sure_contradicting;
-  const double counts = sure ? 1 : 0.5;
-  evidence_ = !agrees ? 0 : again ? evidence_ + counts : counts;
-  pending_ = correction;
-  closure.cost = mean.cost;
+  const bool same = again(track.poses.back(), fine.map_from_piece);
+  evidence_ = !agrees ? 0 : (same ? evidence_ : 0) + (sure ? 1 : 0.5);
   if (evidence_ < params_.evidence) return std::nullopt;
   evidence_ = 0;
   pending_.reset();
+  closure.hit_share = sighting->top.hit_share;
+  closure.second_share = sighting->second ? sighting->second->hit_share : 0;
+  keep(track, closure);
+  return closure;
+}
+
+/// The closure ties the path from now on. The last metres will lie over what they are tied to:
+/// whether their scans agree is seen anew.
+void Finder::keep(const Track& track, const Closure& closure) {
   found_.push_back({closure.anchor, track.now(), closure.information});
-  // The last metres will lie over what they are tied to: whether their scans agree is seen anew.
   while (contacts_until_ > 0 &&
          track.travelled_m.back() - track.travelled_m[contacts_until_ - 1] < params_.piece_m)
     --contacts_until_;
   contacts_.erase(std::remove_if(contacts_.begin(), contacts_.end(),
                                  [&](const Contact& c) { return c.second >= contacts_until_; }),
                   contacts_.end());
-  return closure;
 }
 
 }  // namespace ariadne::closure

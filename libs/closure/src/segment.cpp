@@ -15,9 +15,6 @@ using mrpt::math::TPose2D;
 constexpr double kKeyframe_m = 1.0;
 constexpr double kKeyframe_rad = 0.5;
 
-/// What a closure is not known better than, m^2 and rad^2: maps are smeared by about a cell.
-Eigen::Matrix3d kTieFloor() { return Eigen::Vector3d(0.05 * 0.05, 0.05 * 0.05, 8e-5).asDiagonal(); }
-
 Eigen::Vector3d vectorOf(const TPose2D& p) { return {p.x, p.y, p.phi}; }
 TPose2D poseOf(const Eigen::Vector3d& v) { return {v[0], v[1], std::remainder(v[2], 2 * M_PI)}; }
 
@@ -196,6 +193,8 @@ void perturb(std::vector<Factor>& factors, core::RandomStream& rng) {
 
 }  // namespace
 
+Eigen::Matrix3d tieFloor() { return Eigen::Vector3d(0.05 * 0.05, 0.05 * 0.05, 8e-5).asDiagonal(); }
+
 Eigen::Vector3d DriftParams::variances(double way_m, double turned_rad) const {
   const double turn_m = turn_per_sqrt_m_deg * M_PI / 180;
   return {along_per_sqrt_m * along_per_sqrt_m * way_m + 1e-6,
@@ -209,7 +208,7 @@ std::vector<Tie> tiesOf(const Track& track, const std::vector<Contact>& contacts
     if (c.second <= track.now())
       ties.push_back({c.first, c.second,
                       models::relativePose(track.poses[c.first], track.poses[c.second]),
-                      (c.information.inverse() + kTieFloor()).inverse(), true});
+                      (c.information.inverse() + tieFloor()).inverse(), true});
   return ties;
 }
 

@@ -65,9 +65,17 @@ class Finder {
 
  private:
   struct Old;
+  struct Sighting;
   void takeScans(const Scans& scans);
   Old oldPlaces(const Track& track) const;
   std::optional<Closure> search(const Track& track, const Scans& scans);
+  std::optional<Sighting> lookAround(const Track& track, const Old& old,
+                                     const std::vector<mrpt::math::TPoint2D>& piece) const;
+  Closure closureAt(const Track& track, const Old& old, const grid::OccupancyGrid& map,
+                    const std::vector<mrpt::math::TPoint2D>& piece,
+                    const mrpt::math::TPose2D& pose) const;
+  bool again(const mrpt::math::TPose2D& here, const mrpt::math::TPose2D& pose);
+  void keep(const Track& track, const Closure& closure);
   grid::OccupancyGrid mapAbout(const Track& track, const Scans& scans, const Old& old,
                                const mrpt::math::TPose2D& pose) const;
 

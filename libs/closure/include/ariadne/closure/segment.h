@@ -26,6 +26,10 @@ struct DriftParams {
   Eigen::Vector3d variances(double way_m, double turned_rad) const;
 };
 
+/// Covariance that no closure is known better than, m^2 and rad^2: maps are smeared by about a
+/// cell.
+Eigen::Matrix3d tieFloor();
+
 /// A measured relative pose between two updates.
 struct Tie {
   std::size_t first = 0;   ///< update; where it is not in the segment it is known and stays
