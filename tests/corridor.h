@@ -15,7 +15,9 @@ namespace ariadne::test {
 
 class CorridorWorld {
  public:
-  CorridorWorld() {
+  /// @param irregular m by which the doors stand off their even places: evenly spaced ones look
+  /// alike
+  explicit CorridorWorld(double irregular = 0) : irregular_(irregular) {
     addWalls({-1, -1}, {31, 21}, -0.3);
     addWalls({1, 1}, {29, 19}, 0.3);
   }
@@ -71,7 +73,8 @@ class CorridorWorld {
       const auto unit = along * (1 / length);
       const mrpt::math::TPoint2D inwards(-unit.y * depth, unit.x * depth);
       auto last = corner[i];
-      for (double at = 2; at + 1 < length; at += 5) {
+      for (double at = 2; at + 1 < length;
+           at += 5 + irregular_ * std::sin(37 * at + 11 * i + depth)) {
         const auto begin = corner[i] + unit * at;
         const auto end = begin + unit;
         addWall(last, begin);
@@ -83,6 +86,7 @@ class CorridorWorld {
       addWall(last, corner[(i + 1) % 4]);
     }
   }
+  double irregular_;
   std::vector<Wall> walls_;
 };
 
