@@ -149,6 +149,8 @@ DatasetInfo collectInfo(const std::filesystem::path& path, io::DatasetOptions op
                             c.beams_negative + c.beams_too_near + c.beams_flagged;
     if (c.steps < 2) info.why_not = "a single scan is no log";
     if (bad == c.beams) info.why_not = "no beam has a valid range";
+  } catch (const core::UsageError&) {
+    throw;  // the options are wrong, not the log
   } catch (const core::Error& e) {
     const std::string prefix = path.string() + ": ";
     info.why_not = e.what();
