@@ -55,7 +55,9 @@ TEST_F(RosApps, InfoListsTopicsWithTypesAndCounts) {
   ASSERT_EQ(dataset({"info", (kSamples / "odom.bag").string()}), 0) << err;
   expectOut({"ROS 1 bag", "19 /odom (nav_msgs/Odometry)", "19 /scan (sensor_msgs/LaserScan)",
              "1 /tf_static (tf2_msgs/TFMessage)", "odometry: 19 readings", "laser /scan: 19 scans",
-             "at x 0.200 y 0.000 z 0.250 m", "can be mapped: yes"});
+             "at x 0.200 y 0.000 z 0.250 m", "note: odometry: /odom, odom -> base_footprint",
+             "note: the laser on the robot: base_footprint -> base_link, base_link -> laser",
+             "can be mapped: yes"});
   ASSERT_EQ(dataset({"info", (kSamples / "split").string(), "--json"}), 0) << err;
   const auto json = nlohmann::json::parse(out);
   EXPECT_EQ(json["format"], "MCAP recording");

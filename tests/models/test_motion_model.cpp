@@ -19,7 +19,7 @@ TEST(Poses, RelativeUndoesCompose) {
 // N = 20000: the standard error of a variance is 1 % of it; the bound is 5 of them.
 TEST(Motion, SamplesHaveTheStatedCovariance) {
   const TPose2D before(3, 1, 0.7);
-  const models::Motion motion({0.5, 0.1, 0.3}, {});
+  const models::Motion motion({0.5, 0.1, 0.3}, models::MotionParams());
   const TPose2D mean = motion.mean(before);
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   const int n = 20000;
@@ -44,7 +44,7 @@ TEST(Motion, ACentimetreSidewaysIsNoTurn) {
 
 TEST(Motion, NoiseGrowsWithDistanceAndTurn) {
   const auto spread = [](double x, double turn) {
-    return models::Motion({x, 0, turn}, {}).covariance({}).diagonal().eval();
+    return models::Motion({x, 0, turn}, models::MotionParams()).covariance({}).diagonal().eval();
   };
   EXPECT_GT(spread(1, 0)[0], spread(0.5, 0)[0]);
   EXPECT_GT(spread(1, 0)[2], spread(0.5, 0)[2]);
@@ -52,7 +52,7 @@ TEST(Motion, NoiseGrowsWithDistanceAndTurn) {
 }
 
 TEST(Motion, CovarianceTurnsWithTheRobot) {
-  const models::Motion motion({1, 0, 0}, {});
+  const models::Motion motion({1, 0, 0}, models::MotionParams());
   const auto ahead = motion.covariance({0, 0, 0});
   const auto turned = motion.covariance({0, 0, M_PI / 2});
   EXPECT_NEAR(ahead(0, 0), turned(1, 1), 1e-12);

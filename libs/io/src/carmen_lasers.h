@@ -41,7 +41,7 @@ class CarmenLasers {
     std::set<float> longest;  ///< some readings, each once, below kCarmenMaxRange_m
     bool bare = false;        ///< its lines have no maximum range
     CarmenLaserParams params;
-    CarmenLaserPlace place;
+    LaserPlace place;
     float max_range_m = 0;  ///< 0: as its lines have it
   };
   void survey(const std::filesystem::path& path);

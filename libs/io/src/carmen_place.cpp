@@ -79,11 +79,11 @@ std::string asText(const TPose2D& p) {
 
 }  // namespace
 
-CarmenLaserPlace placeOf(const std::vector<TPose2D>& offsets, const CarmenLaserParams& params) {
+LaserPlace placeOf(const std::vector<TPose2D>& offsets, const CarmenLaserParams& params) {
   const auto by_lines = agreedOffset(offsets);
   const auto by_params = offsetByParams(params);
   const std::string names = namesOf(params);
-  CarmenLaserPlace place;
+  LaserPlace place;
   if (!names.empty() && !by_params) place.remark = names + ": farther away than any laser sits";
   if (by_lines && *by_lines != TPose2D()) {
     place.robot_from_laser = *by_lines;

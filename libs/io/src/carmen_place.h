@@ -9,14 +9,14 @@
 
 namespace ariadne::io {
 
-struct CarmenLaserPlace {
+struct LaserPlace {
   mrpt::math::TPose2D robot_from_laser;
   std::string source;  ///< "by its lines", "by PARAM ..."; empty: at the robot's centre
   std::string remark;  ///< what was odd
 };
 
 /// `offsets` are robot_from_laser of each line; empty where lines carry no poses.
-CarmenLaserPlace placeOf(const std::vector<mrpt::math::TPose2D>& offsets,
+LaserPlace placeOf(const std::vector<mrpt::math::TPose2D>& offsets,
                          const CarmenLaserParams& params);
 
 }  // namespace ariadne::io

@@ -202,6 +202,10 @@ std::unique_ptr<RecordSource> openRecords(const std::filesystem::path& path,
   };
   if (beginning.empty())
     throw failure(file->trouble().empty() ? "the file is empty" : file->trouble());
+  if (options.ros.any())
+    throw failure(
+        "no recording of ROS: scan_topic, odom_topic, odom_frame, base_frame and "
+        "laser_pose mean nothing here");
   if (ros::formatOf(beginning) != ros::BagFormat::none)
     throw failure("a recording of ROS inside gzip: unpack it with gunzip first");
   if (looksLikeArchive(beginning)) return std::make_unique<RawlogRecords>(std::move(file), options);

@@ -7,11 +7,11 @@
 
 namespace ariadne::io {
 
-std::optional<LaserPlace> parseLaserPose(const std::string& text, const std::string& where) {
+std::optional<LaserPose> parseLaserPose(const std::string& text, const std::string& where) {
   std::vector<std::string_view> words;
   splitFields(text, words);
   if (words.empty()) return std::nullopt;
-  LaserPlace place;
+  LaserPose place;
   const auto isNumber = [](std::string_view word, double& value) {
     const auto parsed = parseNumber(word);
     if (parsed) value = *parsed;

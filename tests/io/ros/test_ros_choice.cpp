@@ -154,6 +154,12 @@ TEST_F(RosChoice, NoLaserAtAll) {
   expectTold(read(Mcap()), {"no sensor_msgs/LaserScan", "nothing"});
 }
 
+TEST_F(RosChoice, OtherLogsKnowNoTopics) {
+  ariadne::io::writeWhole(folder / "a.log", sample::carmenLog(3));
+  expectTold(readWith(folder / "a.log", withScan("/scan")),
+             {"a.log: no recording of ROS: scan_topic", "mean nothing here"});
+}
+
 TEST_F(RosChoice, OtherSerializationIsTold) {
   const Mcap file =
       Mcap().message("/scan", "sensor_msgs/LaserScan", "{\"ranges\": []}", {1000, 0}, "json");

@@ -20,6 +20,7 @@ struct Choice {
   std::map<Survey::LaserKey, Laser> lasers;
   const OdometrySource* odometry = nullptr;  ///< of the survey
   std::string laser;                         ///< label of the one that is wanted
+  std::vector<std::string> notes;            ///< what was chosen, for the user to see
   std::string why_not;                       ///< why nothing can be mapped; empty: it can
 };
 

@@ -22,6 +22,7 @@ class RosRecords : public RecordSource {
   std::size_t malformedLines() const override { return malformed_; }
   const char* format() const override { return files_->format(); }
   const std::vector<std::string>& remarks() const override { return remarks_; }
+  std::vector<std::string> notes() const override { return choice_.notes; }
   std::string chosenLaser() const override { return choice_.laser; }
   std::string whyNot() const override { return choice_.why_not; }
 

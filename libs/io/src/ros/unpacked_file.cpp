@@ -1,5 +1,6 @@
 #include "unpacked_file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 #include <zstd.h>
@@ -31,29 +32,18 @@ void write(int file, const char* bytes, std::size_t count) {
 
 }  // namespace
 
-UnpackedFile::UnpackedFile(const std::filesystem::path& packed) {
-  std::string name = std::filesystem::temp_directory_path() / "ariadne-XXXXXX";
-  const int file = ::mkstemp(name.data());
-  if (file < 0)
-    throw core::Error(
-        fmt::format("cannot unpack {} into {}: {}", packed.string(), name, std::strerror(errno)));
-  path_ = name;
+UnpackedFile::UnpackedFile(const std::filesystem::path& packed) : folder_("bag") {
+  const int file = ::open(path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  const std::unique_ptr<const int, void (*)(const int*)> closed(&file,
+                                                                [](const int* f) { ::close(*f); });
   try {
+    if (file < 0) throw core::Error(std::strerror(errno));
     unpack(packed, file);
-    ::close(file);
   } catch (const core::Error& why) {
-    ::close(file);
-    ::unlink(path_.c_str());
     throw core::Error(
-        fmt::format("cannot unpack {} into {}: {}", packed.string(), name, why.what()));
-  } catch (...) {
-    ::close(file);
-    ::unlink(path_.c_str());
-    throw;
+        fmt::format("cannot unpack {} into {}: {}", packed.string(), path().string(), why.what()));
   }
 }
-
-UnpackedFile::~UnpackedFile() { ::unlink(path_.c_str()); }
 
 void UnpackedFile::unpack(const std::filesystem::path& packed, int file) {
   const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> context(ZSTD_createDCtx(),

@@ -6,7 +6,7 @@
 namespace ariadne::io {
 
 /// Where a planar laser is on the robot: m, degrees, in the robot's frame.
-struct LaserPlace {
+struct LaserPose {
   double x_m = 0, y_m = 0;
   double yaw_deg = 0;
   bool upside_down = false;
@@ -18,11 +18,15 @@ struct RosOptions {
   std::string odom_topic;  ///< of nav_msgs/Odometry or, as transforms, tf2_msgs/TFMessage
   std::string odom_frame;  ///< of transforms: the frame that odometry starts in
   std::string base_frame;  ///< the robot's: what the odometry moves, and the laser is fixed to
-  std::optional<LaserPlace> laser_pose;  ///< instead of what the recording says
+  std::optional<LaserPose> laser_pose;  ///< instead of what the recording says
+
+  bool any() const {
+    return laser_pose || !(scan_topic + odom_topic + odom_frame + base_frame).empty();
+  }
 };
 
 /// "0.2 0 -90" (m, m, degrees) with "upside_down" behind it or not; empty is nullopt. Throws
 /// core::UsageError naming `where`.
-std::optional<LaserPlace> parseLaserPose(const std::string& text, const std::string& where);
+std::optional<LaserPose> parseLaserPose(const std::string& text, const std::string& where);
 
 }  // namespace ariadne::io
