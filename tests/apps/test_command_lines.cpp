@@ -43,6 +43,11 @@ struct Program {
   std::string operator()(const std::vector<std::string>& args) { return problemOf(app, args); }
 };
 
+/// Tests and programs lie in one.
+std::filesystem::path folderOfPrograms() {
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path();
+}
+
 std::string run(const std::string& words, int& code) {
   std::string said;
   FILE* pipe = ::popen((words + " 2>&1").c_str(), "r");
@@ -81,7 +86,7 @@ TEST(CommandLine, HelpAndVersionEndTheProgramWell) {
 }
 
 TEST(CommandLine, OfEachProgram) {
-  const fs::path bin = ::getenv("ARIADNE_BIN_DIR");
+  const fs::path bin = folderOfPrograms();
   for (const char* name : {"slam", "explore", "dataset", "eval", "compare", "experiment",
                            "loop-experiment", "stock-rbpf"}) {
     int code = -1;
@@ -127,7 +132,7 @@ TEST(IniOfAProgram, ThatOfAnotherIsRecognised) {
 }
 
 TEST(IniOfAProgram, IsSaidByThePrograms) {
-  const std::string bin = ::getenv("ARIADNE_BIN_DIR");
+  const std::string bin = folderOfPrograms().string();
   const std::string ini = std::string(::getenv("ARIADNE_SOURCE_DIR")) + "/ini/";
   for (const auto& [call, right] : std::vector<std::pair<std::string, std::string>>{
            {"slam " + ini + "explore/nested.ini", "ariadne-explore "},

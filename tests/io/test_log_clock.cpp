@@ -95,11 +95,11 @@ TEST_F(LogClock, RunsBackwards) {
   EXPECT_NE(readLines(back).error.find("39 of 40 scans have stamps that neither go on"),
             std::string::npos);
   // Beyond what is read before the first step: known at the end.
-  std::vector<double> all = stamps(0, 220);
-  for (int i = 0; i < 600; ++i) all.push_back(40 - 0.01 * i);
+  std::vector<double> all = stamps(0, 2500);
+  for (int i = 0; i < 2600; ++i) all.push_back(40 - 0.01 * i);
   const Result r = readLines(all);
-  EXPECT_EQ(r.steps.size(), 220U);
-  EXPECT_NE(r.error.find("600 of 820 scans"), std::string::npos) << r.error;
+  EXPECT_EQ(r.steps.size(), 2500U);
+  EXPECT_NE(r.error.find("2600 of 5100 scans"), std::string::npos) << r.error;
 }
 
 TEST_F(LogClock, OfIncrements) {

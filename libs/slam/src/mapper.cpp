@@ -98,7 +98,9 @@ struct Mapper::Impl {
     return std::hypot(moved.x, moved.y) >= params.update.update_distance_m ||
            std::abs(moved.phi) >= mrpt::DEG2RAD(params.update.update_angle_deg);
   }
+  /// Tells nothing. Where beams without return clear the map, even an empty scan tells something.
   bool isBlind(const mrpt::obs::CObservation2DRangeScan& scan) const {
+    if (params.grid.no_return_free_m > 0) return false;
     const auto returned = grid::scanPoints(scan, params.grid.insert_range_m).size();
     return static_cast<double>(returned) <
            params.update.least_returns * static_cast<double>(scan.getScanSize());
