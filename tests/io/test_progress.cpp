@@ -37,7 +37,7 @@ TEST_F(ReadingProgress, OfSmallAndLargeFilesPackedOrNot) {
   noisy.noise_m = 0.01;
   const std::string rawlog = walledLog(room(30, 20), poses, noisy);
   for (const std::string& log : {rawlog, carmenLog(60), carmenLog(600)}) {
-    expectTrue(log, 0.06);
+    expectTrue(log, 0.06 + 16384.0 / static_cast<double>(log.size()));  // files are read in blocks
     // Lines alike pack to little, so that the first ones take most of a packed toy: 0.11 was seen.
     expectTrue(packed(log, folder / "b"), 0.2);
   }
