@@ -123,6 +123,9 @@ bool InputFile::line(std::string_view& out, bool& too_long) {
 double InputFile::fraction() const {
   if (at_end_ && begin_ == window_.size()) return 1;
   if (packed_size_ == 0) return 1;
+  // Of a file that is not packed zlib takes a whole buffer at once: our own place is the true one.
+  if (gzdirect(file_) != 0)
+    return std::clamp(static_cast<double>(offset()) / static_cast<double>(packed_size_), 0.0, 1.0);
   // Of the last block's share of the packed file, as much as was used of the block.
   const std::size_t left = std::min(window_.size() - begin_, last_block_);
   const double used =
