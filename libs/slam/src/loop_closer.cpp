@@ -209,6 +209,11 @@ void LoopCloser::search(filter::ParticleSet& particles, const Scans& scans) {
   if (!closure) return;
   const auto start = std::chrono::steady_clock::now();
   // What was saved after the beginning belongs to ways that are replaced.
+  extras_.resize(watcher_.closings().size());
+  for (const closing::Closing& c : watcher_.closings())
+    if (c.opportunity.te > closure->begin && stack_.holds(c.name))
+      extras_[c.name].note =
+          "nothing was recovered: the ways were drawn anew, given a closure found from afar";
   stack_.dropAfter(closure->begin);
   const recovery::SavedSet present = recovery::save(particles, graphs_, closure->begin);
   const auto shapes = shapesAfter(scans, earliestCheckpoint(present), params_.grid, parallel_);
