@@ -64,7 +64,8 @@ io::DatasetOptions optionsOf(const DatasetParams& params) {
 }
 
 ResolvedConfig resolveConfig(const Options& options) {
-  ResolvedConfig resolved = fromFile(options.config_file);
+  ResolvedConfig resolved;
+  if (!options.config_file.empty()) resolved = fromFile(options.config_file);
   for (const std::string& setting : options.settings)
     io::setField(resolved.config, io::parseSetting(setting));
   for (const io::IniEntry& entry : flagEntries(options)) io::setField(resolved.config, entry);

@@ -1,8 +1,11 @@
 #include "options.h"
 
+#include <fmt/format.h>
+
 #include <ostream>
 
 #include "ariadne/core/error.h"
+#include "ariadne/io/log_or_ini.h"
 #include "command_line.h"
 
 namespace ariadne::slam_app {
@@ -14,12 +17,14 @@ constexpr const char* kAbout =
     "grids;\n"
     "DATASET an MRPT rawlog, a CARMEN log, gzip or not, or a ROS recording (.bag, .db3, .mcap, or "
     "a\n"
-    "folder of them). Writes maps, trajectories and figures into a new folder.";
+    "folder of them). A DATASET alone is mapped with the default settings. Writes maps,\n"
+    "trajectories and figures into a new folder.";
 
 constexpr const char* kFooter =
     "Values come from the defaults, then CONFIG, then --set, then the other options.\n"
     "Ctrl-C stops mapping and writes what there is; a second one stops at once.\n"
     "Examples:\n"
+    "  ariadne-slam drive.bag\n"
     "  ariadne-slam ini/slam/sena.ini\n"
     "  ariadne-slam ini/slam/carmen.ini intel.clf.gz --out intel --particles 50 --seed 7\n"
     "  ariadne-slam ini/slam/carmen.ini fr079.log --set grid.resolution_m=0.1 --threads 1\n"
@@ -30,7 +35,7 @@ constexpr const char* kFooter =
 
 void declare(CLI::App& app, Options& o) {
   app.footer(kFooter);
-  app.add_option("CONFIG", o.config_file, "INI file");
+  app.add_option("CONFIG", o.config_file, "INI file; may be left out before DATASET");
   app.add_option("DATASET", o.dataset, "log to map; default: the one the INI names");
   app.add_option("--set", o.settings, "section.key=value; may be given again and again")
       ->allow_extra_args(false)
@@ -50,6 +55,15 @@ void declare(CLI::App& app, Options& o) {
   app.add_flag("--quiet", o.quiet, "print only warnings and errors");
 }
 
+/// A log may stand in the place of CONFIG.
+void sortFiles(Options& o) {
+  if (!io::looksLikeLog(o.config_file)) return;
+  if (!o.dataset.empty())
+    throw core::UsageError(
+        fmt::format("{} is a log, not an INI: CONFIG stands before DATASET", o.config_file));
+  std::swap(o.config_file, o.dataset);
+}
+
 }  // namespace
 
 std::optional<Options> parseOptions(const std::vector<std::string>& args, std::ostream& out) {
@@ -58,7 +72,8 @@ std::optional<Options> parseOptions(const std::vector<std::string>& args, std::o
   declare(app, options);
   if (!ariadne::app::parseCommandLine(app, args, out)) return std::nullopt;
   if (options.config_file.empty() && !options.print_parameters)
-    throw core::UsageError("which CONFIG? For one, ini/slam/carmen.ini (see ariadne-slam --help)");
+    throw core::UsageError("which log, or which CONFIG? (see ariadne-slam --help)");
+  sortFiles(options);
   return options;
 }
 

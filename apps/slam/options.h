@@ -8,7 +8,7 @@
 namespace ariadne::slam_app {
 
 struct Options {
-  std::string config_file;
+  std::string config_file;            ///< empty: the defaults
   std::string dataset;                ///< empty: the INI's
   std::vector<std::string> settings;  ///< section.key=value, in order
   // Dedicated flags as typed; the parameters' own tables check them.

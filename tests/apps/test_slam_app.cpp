@@ -100,6 +100,18 @@ TEST_F(SlamApp, ConfigOfARunMapsTheSameAgain) {
   EXPECT_EQ(readWhole(folder / "first/steps.csv"), readWhole(folder / "again/steps.csv"));
 }
 
+TEST_F(SlamApp, ALogAloneIsMappedWithTheDefaults) {
+  const std::vector<std::string> options = {"--set", "grid.resolution_m=0.1", "--particles", "4"};
+  const auto mapInto = [&](const std::string& name, std::vector<std::string> args) {
+    args.insert(args.end(), options.begin(), options.end());
+    args.insert(args.end(), {"--no-pictures", "--out", (folder / name).string()});
+    ASSERT_EQ(run(args), 0) << err;
+  };
+  mapInto("with", {put("empty.ini", ""), log});
+  mapInto("without", {log});
+  EXPECT_EQ(readWhole(folder / "with/steps.csv"), readWhole(folder / "without/steps.csv"));
+}
+
 TEST_F(SlamApp, FlagsBeatSettingsBeatTheIniBeatsDefaults) {
   EXPECT_NE(resolved({}).find("\nparticles = 4\n"), std::string::npos);
   EXPECT_NE(resolved({"--set", "filter.particles=5"}).find("\nparticles = 5\n"), std::string::npos);
@@ -117,7 +129,8 @@ TEST_F(SlamApp, RelativeDatasetStartsAtTheIni) {
 
 TEST_F(SlamApp, WrongUseIsTwoAndSaysWhatWouldBeRight) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
-      {{}, "which CONFIG?"},
+      {{}, "which log, or which CONFIG?"},
+      {{log, ini}, "room.log is a log, not an INI: CONFIG stands before DATASET"},
       {{ini, "--set", "filter.particels=3"}, "the nearest is \"particles\""},
       {{ini, "--set", "nonsense"}, "takes section.key=value"},
       {{ini, "--particles", "many"}, "--particles: [filter] particles = many: is no whole number"},
@@ -127,7 +140,6 @@ TEST_F(SlamApp, WrongUseIsTwoAndSaysWhatWouldBeRight) {
       {{ini, log, "more"}, "more"},
       {{ini}, "no dataset"},
       {{ini, log, "--out", "two\nlines"}, "cannot be written to an INI"},
-      {{log}, "room.log:2: \"FLASER 181"},
       {{put("bad.ini", "[gird]\n")}, "bad.ini:1: [gird]: no such section; the nearest is [grid]"}};
   for (const auto& [args, expected] : cases) {
     EXPECT_EQ(run(args), 2) << err;
