@@ -1,7 +1,7 @@
 # MRPT brings 180 shared libraries. At a program's start the dynamic linker asks them for each
 # symbol in the order of the link line, and most symbols are those that a few libraries have for
 # themselves. With these few in front it asks half as often, and a program starts in 0.07 s
-# instead of 0.09 (doc/benchmarks/README.md). Where ldd or one of them is missing, only that is lost.
+# instead of 0.09 (doc/lab/benchmarks/README.md). Where ldd or one of them is missing, only that is lost.
 set(ARIADNE_RICH_IN_SYMBOLS xerces-c geos gdal mrpt-expr crypto proj poppler kmldom sqlite3 netcdf
   draco gdcmMSFF)
 

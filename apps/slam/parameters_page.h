@@ -1,4 +1,4 @@
-// doc/parameters.md, made from the parameters' own tables.
+// doc/reference/parameters.md, made from the parameters' own tables.
 #pragma once
 #include <string>
 

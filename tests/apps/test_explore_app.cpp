@@ -211,6 +211,6 @@ TEST_F(ExploreApp, ShippedInisAndTheParametersPageAreUpToDate) {
   }
   EXPECT_GE(found, 8U);
   ASSERT_EQ(run({"--print-parameters"}), 0);
-  EXPECT_EQ(readWhole(kSource / "doc" / "parameters-explore.md"), out)
+  EXPECT_EQ(readWhole(kSource / "doc/reference/parameters-explore.md"), out)
       << "renew it with scripts/renew-parameters";
 }

@@ -1,5 +1,5 @@
 // The experiments of ini/paper and of ini/regression (the committed drives, MRPT's sample log) on
-// one seed each, next to the committed results of whole runs (doc/experiments/results, made by
+// one seed each, next to the committed results of whole runs (doc/lab/experiments/results, made by
 // scripts/paper-results).
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 
 const fs::path kProject = ariadne::test::shippedDatasets().parent_path();
-const fs::path kResults = kProject / "doc" / "experiments" / "results";
+const fs::path kResults = kProject / "doc/lab/experiments/results";
 
 fs::path iniOf(const std::string& name) {
   return kProject / "ini" / (name == "datasets" ? "regression" : "paper") / (name + ".ini");

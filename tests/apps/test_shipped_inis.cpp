@@ -37,6 +37,6 @@ TEST_F(Shipped, InisNameEveryKeyWithItsDefault) {
 
 TEST_F(Shipped, ParametersPageIsUpToDate) {
   ASSERT_EQ(run({"--print-parameters"}), 0);
-  EXPECT_EQ(readWhole(source / "doc/parameters.md"), out)
+  EXPECT_EQ(readWhole(source / "doc/reference/parameters.md"), out)
       << "renew it with scripts/renew-parameters";
 }

@@ -23,7 +23,8 @@ double secondsSince(steady_clock::time_point start) {
 
 }  // namespace
 
-// Read, aggregate and render: 0.7 s on the machine of doc/experiments.md, 10 s are asked for.
+// Read, aggregate and render: 0.7 s on the machine of doc/reference/experiments.md, 10 s are asked
+// for.
 TEST_F(ManyResults, TenThousandAreAggregatedInTenSeconds) {
   const MadeExperiment some({"0", "1", "3", "10", "30"});
   batch::Plan plan = some.plan;

@@ -1,6 +1,6 @@
-// Real logs against committed bounds. They were found over seeds 1 to 10 (doc/benchmarks): the worst
-// ATE of the ten is 0.106 m on CSAIL and 0.107 m on Intel; the bounds for one seed leave twice and half of
-// that again.
+// Real logs against committed bounds. They were found over seeds 1 to 10 (doc/lab/benchmarks): the
+// worst ATE of the ten is 0.106 m on CSAIL and 0.107 m on Intel; the bounds for one seed leave
+// twice and half of that again.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -5,7 +5,7 @@
 namespace ariadne::checks {
 namespace {
 
-// The bounds leave room about what good logs reach; doc/logs.md has the figures.
+// The bounds leave room about what good logs reach; doc/reference/logs.md has the figures.
 constexpr double kMostSkipped = 0.2;
 constexpr double kMostBlind = 0.05;
 constexpr double kMostStanding = 0.05;

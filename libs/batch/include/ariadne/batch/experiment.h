@@ -1,4 +1,5 @@
-// What an experiment's INI says: arms, factors, seeds, figures, limits (doc/experiments.md).
+// What an experiment's INI says: arms, factors, seeds, figures, limits
+// (doc/reference/experiments.md).
 #pragma once
 #include <cstdint>
 #include <filesystem>

@@ -1,5 +1,6 @@
 // INIs of MRPT's rbpf-slam for mapping with 2D lasers, taken as they are: what means the same here
-// becomes a parameter, everything else is named in a warning. doc/parameters.md has the table.
+// becomes a parameter, everything else is named in a warning. doc/reference/parameters.md has the
+// table.
 #pragma once
 #include <filesystem>
 #include <string>

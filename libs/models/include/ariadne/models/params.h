@@ -4,7 +4,8 @@
 
 namespace ariadne::models {
 
-/// Odometry noise, rotation-translation-rotation; grows with the net turn (doc/models.md).
+/// Odometry noise, rotation-translation-rotation; grows with the net turn
+/// (doc/explanation/models.md).
 struct MotionParams {
   bool learn = true;
   double turn_per_turn = 0.3;
