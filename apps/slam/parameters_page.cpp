@@ -18,6 +18,9 @@ An unknown section or key, one that comes twice, a value of the wrong kind or ou
 error that says where it stands and what would be right. Comments are lines that start with `;`, `#`
 or `//`, or follow a value after a blank. A text that holds one of these after a blank stands in
 double quotes.
+
+[What the words mean](../explanation/concepts.md#glossary); "the paper" and
+[[19]](../explanation/bibliography.md#ref19).
 )";
 
 constexpr const char* kStock = R"(

@@ -1,5 +1,5 @@
 // Ariadne behind MRPT's interface: a program written for mrpt::slam::CMetricMapBuilderRBPF takes it
-// with a changed type and include (apps/example shows one).
+// with a changed type and include (examples/mrpt_map_builder.cpp is one).
 #pragma once
 #include <mrpt/maps/CMultiMetricMap.h>
 #include <mrpt/slam/CMetricMapBuilder.h>

@@ -1,5 +1,5 @@
 // How a program for MRPT's mapper takes Ariadne: the two lines marked "was" are all that changed.
-// Try it: ariadne-example-builder STOCK.ini LOG.rawlog map.simplemap, with an INI from
+// Try it: example-mrpt-map-builder STOCK.ini LOG.rawlog map.simplemap, with an INI from
 // /usr/share/mrpt/config_files/rbpf-slam.
 #include <mrpt/config/CConfigFile.h>
 #include <mrpt/obs/CActionCollection.h>
@@ -14,7 +14,7 @@ using MapBuilder = ariadne::slam::RbpfMapBuilder;  // was: mrpt::slam::CMetricMa
 
 int main(int argc, char** argv) {
   if (argc != 4) {
-    std::cerr << "usage: ariadne-example-builder STOCK.ini LOG.rawlog OUT.simplemap\n"
+    std::cerr << "usage: example-mrpt-map-builder STOCK.ini LOG.rawlog OUT.simplemap\n"
                  "Maps an action-observation rawlog as programs for CMetricMapBuilderRBPF do.\n";
     return 2;
   }
@@ -40,7 +40,7 @@ int main(int argc, char** argv) {
     builder.saveCurrentMapToFile(argv[3]);
     std::cout << "scans and poses for MRPT: " << argv[3] << '\n';
   } catch (const std::exception& e) {
-    std::cerr << "ariadne-example-builder: " << e.what() << '\n';
+    std::cerr << "example-mrpt-map-builder: " << e.what() << '\n';
     return 1;
   }
 }
