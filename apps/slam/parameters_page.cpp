@@ -20,7 +20,7 @@ or `//`, or follow a value after a blank. A text that holds one of these after a
 double quotes.
 
 [What the words mean](../explanation/concepts.md#glossary); "the paper" and
-[[19]](../explanation/bibliography.md#ref19).
+[[19]](../explanation/bibliography.md#19-stachniss-2004).
 )";
 
 constexpr const char* kStock = R"(

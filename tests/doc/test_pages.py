@@ -110,7 +110,7 @@ class Pages(unittest.TestCase):
             text = without_code(file.read_text()) if file.suffix == ".md" else file.read_text()
             for match in re.finditer(r"(?<![\w\])])\[(\d+)\](?!\()", text):
                 in_prose = file.suffix == ".md" or re.search(r"(//|#|\").*$", text[:match.start()].splitlines()[-1])
-                if in_prose and f"**[{match.group(1)}]**" not in bibliography:
+                if in_prose and f"### [{match.group(1)}] " not in bibliography:
                     line = text.count("\n", 0, match.start()) + 1
                     problems.append(f"{self.name(file)}:{line}: [{match.group(1)}] is not in the bibliography")
         self.expect_none(problems)
