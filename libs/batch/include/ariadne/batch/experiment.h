@@ -1,5 +1,4 @@
-// What an experiment's INI says: arms, factors, seeds, figures, limits
-// (doc/reference/experiments.md).
+// An experiment's INI: arms, factors, seeds, figures, limits (doc/reference/experiments.md).
 #pragma once
 #include <cstdint>
 #include <filesystem>

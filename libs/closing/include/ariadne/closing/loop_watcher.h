@@ -31,7 +31,7 @@ struct Closing {
   std::string end_reason;               ///< empty while open
   std::optional<double> neff_rule_m;   ///< way after the entry at which the paper's rule would stop
   std::optional<double> slope_rule_m;  ///< the same of the fallback
-  double last_known_m = 0;  ///< travelled, when a place of the loop or before it was last visited
+  double last_known_m = 0;             ///< travelled, when a place of the loop or before it was last visited
   ClosingCourse course;
 };
 

@@ -1,6 +1,5 @@
 // INIs of MRPT's rbpf-slam for mapping with 2D lasers, taken as they are: what means the same here
-// becomes a parameter, everything else is named in a warning. doc/reference/parameters.md has the
-// table.
+// becomes a parameter, all else is named in a warning. Table: doc/reference/parameters.md.
 #pragma once
 #include <filesystem>
 #include <string>

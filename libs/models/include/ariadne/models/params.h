@@ -4,8 +4,7 @@
 
 namespace ariadne::models {
 
-/// Odometry noise, rotation-translation-rotation; grows with the net turn
-/// (doc/explanation/models.md).
+/// Odometry noise; it grows with the net turn (doc/explanation/models.md).
 struct MotionParams {
   bool learn = true;
   double turn_per_turn = 0.3;
