@@ -33,7 +33,7 @@ struct Loop {
             p.ancestor, k, models::compose(start, drive.poses[k]), 0.0);
         if (k > 0) continue;
         p.map.insert(drive.shapes[0], start);
-        p.checkpoints = std::make_shared<filter::Checkpoint>(filter::Checkpoint{0, p.map, nullptr});
+        p.checkpoints = std::make_shared<filter::Checkpoint>(0U, p.map, nullptr);
         saved.entries.push_back({p.ancestor, nullptr, p.checkpoints, 1 / 30.0, graph.asOf(0)});
       }
       p.map_from_robot = p.ancestor->pose();

@@ -78,6 +78,21 @@ TEST(StopRules, ArmedOnlyAfterADistance) {
   EXPECT_TRUE(armedAfter(20, neffConstantFor(10, 0.1))(course(21, 0)));
 }
 
+TEST(StopRules, TheArmDistanceIsTheUncertaintysAndTheWindowNeffs) {
+  ClosingParams p;
+  auto c = course(12, 0);
+  c.uncertainty_at_te_m = 1;
+  for (const Stop stop : {Stop::neff, Stop::neff_slope}) {
+    p.stop = stop;
+    p.arm_distance_m = 15;
+    EXPECT_TRUE(stopRule(p)(c)) << "its window of 10 m is driven";
+  }
+  p.stop = Stop::uncertainty;
+  EXPECT_FALSE(stopRule(p)(c));
+  p.arm_distance_m = 10;
+  EXPECT_TRUE(stopRule(p)(c));
+}
+
 TEST(StopRules, ByName) {
   ClosingParams p;
   const auto flat = course(50, 0);

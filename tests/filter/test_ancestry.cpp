@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "ariadne/filter/ancestry.h"
+#include "ariadne/filter/particle.h"
 
 using ariadne::filter::Ancestor;
 using ariadne::filter::AncestorPtr;
@@ -45,6 +46,17 @@ TEST(Ancestry, ALongLineIsFreedWithoutRecursion) {
     leaf = std::make_shared<Ancestor>(leaf, i, mrpt::math::TPose2D(), 0);
   leaf.reset();  // would overflow the stack
   EXPECT_EQ(leaf, nullptr);
+}
+
+// As a long log with checkpoint_updates = 1 makes it.
+TEST(Checkpoints, ALongLineIsFreedWithoutRecursion) {
+  using ariadne::filter::Checkpoint;
+  const ariadne::grid::OccupancyGrid map;
+  std::shared_ptr<const Checkpoint> last;
+  for (std::size_t i = 0; i < 200000; ++i) last = std::make_shared<Checkpoint>(i, map, last);
+  const auto shared = last->earlier;
+  last.reset();
+  EXPECT_EQ(shared->step, 199998U) << "what somebody else holds stays";
 }
 
 TEST(EarlierPasses, CountsSeparateVisitsNotSteps) {

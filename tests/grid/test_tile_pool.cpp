@@ -91,4 +91,31 @@ TEST(TilePool, MemoryComesBackFromOtherThreads) {
   // What is in use at a time, and the batches that threads hold back.
   EXPECT_LE(places.size(), 1000U + 3 * 64);
 }
+
+namespace {
+
+/// Holds a piece for longer than its thread has piles, as a static tile does in the main thread.
+struct HeldToTheEnd {
+  void* memory = nullptr;
+  static constexpr std::size_t kBytes = 4000;  // a size that no other test has
+  ~HeldToTheEnd() {
+    if (memory) TilePool::give(memory, kBytes);
+  }
+};
+thread_local HeldToTheEnd held_to_the_end;
+
+}  // namespace
+
+TEST(TilePool, WhatIsGivenBackLastOfAllIsNotLost) {
+  void* last = nullptr;
+  std::thread([&] {
+    HeldToTheEnd& held = held_to_the_end;  // made before the thread's piles, so destroyed after
+    last = held.memory = TilePool::take(HeldToTheEnd::kBytes);
+  }).join();
+  std::set<void*> places;
+  std::vector<void*> taken(64);
+  for (void*& memory : taken) places.insert(memory = TilePool::take(HeldToTheEnd::kBytes));
+  for (void* memory : taken) TilePool::give(memory, HeldToTheEnd::kBytes);
+  EXPECT_EQ(places.count(last), 1U);
+}
 #endif

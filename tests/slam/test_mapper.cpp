@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <thread>
 
 #include "ariadne/core/error.h"
 #include "ariadne/slam/mapper.h"
@@ -43,6 +44,28 @@ TEST(Mapper, HoldsTheOvalWhereOdometryDoesNot) {
   ASSERT_EQ(mapper.path().size(), drive.steps.size());
   EXPECT_LT(worstError(mapper.path(), drive.truth), 0.1);
   EXPECT_GT(worstError(odometry, drive.truth), 0.5);
+}
+
+// MRPT's resampling draws from a generator that no caller hands over: it must be the thread's own.
+TEST(Mapper, MappersInOtherThreadsChangeNothing) {
+  const auto drive = test::ovalDrive(60);
+  const auto mapped = [&](std::uint64_t seed) {
+    SlamParams params = few(4);
+    params.filter.seed = seed;
+    params.filter.beta = 1;  // resamples at every update
+    params.filter.resampling = filter::Resampling::multinomial;
+    Mapper mapper(params, 1);
+    for (const auto& step : drive.steps) mapper.process(step);
+    return mapper.path();
+  };
+  const std::vector<models::Trajectory> alone = {mapped(1), mapped(2)};
+  std::vector<models::Trajectory> together(2);
+  std::thread beside([&] { together[1] = mapped(2); });
+  together[0] = mapped(1);
+  beside.join();
+  for (std::size_t m = 0; m < 2; ++m)
+    for (std::size_t i = 0; i < alone[m].size(); ++i)
+      ASSERT_EQ(alone[m][i].pose, together[m][i].pose) << "mapper " << m << ", step " << i;
 }
 
 TEST(Mapper, SameSeedSameBitsOnAnyNumberOfThreads) {

@@ -78,9 +78,9 @@ StopRule never() {
 StopRule stopRule(const ClosingParams& p) {
   switch (p.stop) {
     case Stop::neff:
-      return armedAfter(p.arm_distance_m, neffConstantFor(p.neff_window_m, p.neff_change));
+      return neffConstantFor(p.neff_window_m, p.neff_change);
     case Stop::neff_slope:
-      return armedAfter(p.arm_distance_m, neffFallsLessThan(p.neff_slope_per_m, p.neff_window_m));
+      return neffFallsLessThan(p.neff_slope_per_m, p.neff_window_m);
     case Stop::uncertainty:
       return armedAfter(p.arm_distance_m, uncertaintyBackToEntry());
     case Stop::path_end:

@@ -43,10 +43,12 @@ VelocityCommand Explorer::step(const Belief& belief) {
     turned_ += std::abs(std::remainder(pose.phi - before_->phi, 2 * M_PI));
   }
   before_ = pose;
-  if (travelled_m_ >= params_.max_distance_m) end(belief, "max_distance_m is driven");
   if (!started_s_) started_s_ = belief.time_s;
-  if (belief.time_s - *started_s_ >= params_.max_time_s) end(belief, "max_time_s is over");
+  if (travelled_m_ >= params_.max_distance_m) return end(belief, "max_distance_m is driven");
+  if (belief.time_s - *started_s_ >= params_.max_time_s) return end(belief, "max_time_s is over");
   if (belief.touched && mode_ != Mode::backing_off) touch(belief);
+  if (belief.mapper.updates() > updates_)
+    left_.forgetWhereChanged(belief.mapper.particles()[belief.mapper.particles().best()].map);
   const VelocityCommand command = act(belief);
   updates_ = belief.mapper.updates();
   return command;
@@ -80,7 +82,7 @@ VelocityCommand Explorer::lookAround(const Belief& belief) {
 bool Explorer::reconsiders(const Belief& belief) {
   const auto open = belief.mapper.openClosings();
   const bool in_loop = std::any_of(open.begin(), open.end(), [&](const closing::Closing* c) {
-    return !isShut(*c) && params_.strategy != Strategy::frontier;
+    return !left_.contains(*c) && params_.strategy != Strategy::frontier;
   });
   if (in_loop != (goal_ == Goal::entry || goal_ == Goal::loop)) return true;
   if (goal_ == Goal::entry && open.back()->entered) return true;
@@ -114,10 +116,7 @@ VelocityCommand Explorer::drive(const Belief& belief) {
       mode_since_s_ = belief.time_s;
       return {};
     }
-    if (goal_ == Goal::home) {
-      end(belief, "explored, and back at the start");
-      return {};
-    }
+    if (goal_ == Goal::home) return end(belief, "explored, and back at the start");
     decide(belief);
     return {};
   }
@@ -130,7 +129,7 @@ VelocityCommand Explorer::drive(const Belief& belief) {
       decide(belief);
       if (lost_ >= params_.giveup && mode_ == Mode::driving) {
         giveUp(belief, "the way there was blocked again and again");
-        decide(belief);
+        if (!done()) decide(belief);
       }
     }
   }
@@ -187,7 +186,7 @@ void Explorer::giveUp(const Belief& belief, const std::string& why) {
     case Goal::entry:
     case Goal::loop:
       for (const closing::Closing* loop : belief.mapper.openClosings())
-        if (loop->name == loop_name_) shut(belief, *loop, why);
+        if (loop->name == loop_name_) leave(belief, *loop, why);
       break;
     case Goal::home:
       end(belief, "explored; " + why);
@@ -210,11 +209,12 @@ void Explorer::go(Goal goal, const TPoint2D& target, Route route) {
   mode_ = Mode::driving;
 }
 
-void Explorer::end(const Belief& belief, const std::string& reason) {
+VelocityCommand Explorer::end(const Belief& belief, const std::string& reason) {
   end_reason_ = reason;
   note(belief, DecisionKind::end, reason);
   mode_ = Mode::done;
   follower_.take({});
+  return {};
 }
 
 Decision& Explorer::note(const Belief& belief, DecisionKind kind, const std::string& text) {

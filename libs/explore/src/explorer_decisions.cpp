@@ -68,8 +68,8 @@ void Explorer::decide(const Belief& belief) {
 bool Explorer::decideLoop(const Belief& belief, const Planner& planner) {
   const auto open = belief.mapper.openClosings();
   for (const closing::Closing* loop : open)
-    if (loop->entered && !isShut(*loop)) return followLoop(belief, planner, *loop);
-  if (open.empty() || open.back()->entered || isShut(*open.back())) return false;
+    if (loop->entered && !left_.contains(*loop)) return followLoop(belief, planner, *loop);
+  if (open.empty() || open.back()->entered || left_.contains(*open.back())) return false;
   return approachEntry(belief, planner, *open.back());
 }
 
@@ -80,11 +80,11 @@ bool Explorer::approachEntry(const Belief& belief, const Planner& planner,
   const TPoint2D entry{at_te.x, at_te.y};
   const int cell = planner.nearestTo(entry, 1);
   if (cell < 0) {
-    shut(belief, loop, "no way leads to the entry");
+    leave(belief, loop, "no way leads to the entry");
     return false;
   }
   if (goal_ == Goal::entry && follower_.arrived(belief.mapper.pose())) {
-    shut(belief, loop, "at the entry's place the robot does not recognise it");
+    leave(belief, loop, "at the entry's place the robot does not recognise it");
     return false;
   }
   loop_name_ = loop.name;
@@ -111,7 +111,7 @@ bool Explorer::followLoop(const Belief& belief, const Planner& planner,
         .loop = numbersOf(loop);
   }
   if (loop_route_->laps() >= params_.max_laps) {
-    shut(belief, loop, fmt::format("followed for {} laps (max_laps)", params_.max_laps));
+    leave(belief, loop, fmt::format("followed for {} laps (max_laps)", params_.max_laps));
     return false;
   }
   // It may have come as near to the last place as it can and still not have passed it.
@@ -125,7 +125,7 @@ bool Explorer::followLoop(const Belief& belief, const Planner& planner,
     }
     loop_route_->skip();
   }
-  shut(belief, loop, "the path through the loop is blocked");
+  leave(belief, loop, "the path through the loop is blocked");
   return false;
 }
 
@@ -176,21 +176,11 @@ void Explorer::decideHome(const Belief& belief, const Planner& planner) {
   decisions_.back().frontiers = candidatesOf(frontiers_);
 }
 
-/// Entries that were given up stay so: a closing of another name at the same place is the same.
-void Explorer::shut(const Belief& belief, const closing::Closing& loop, const std::string& why) {
+void Explorer::leave(const Belief& belief, const closing::Closing& loop, const std::string& why) {
   Decision& d = note(belief, DecisionKind::give_up, "leaves the loop: " + why);
   d.loop = numbersOf(loop);
-  shut_.push_back(loop.name);
-  if (!loop.entered) shut_entries_.push_back(loop.entry_position);
+  left_.add(loop, bestOf(belief.mapper).map);
   goal_ = Goal::none;
-}
-
-bool Explorer::isShut(const closing::Closing& loop) const {
-  constexpr double kSameEntry_m = 2;
-  return std::find(shut_.begin(), shut_.end(), loop.name) != shut_.end() ||
-         std::any_of(shut_entries_.begin(), shut_entries_.end(), [&](const TPoint2D& p) {
-           return !loop.entered && distance(p, loop.entry_position) < kSameEntry_m;
-         });
 }
 
 }  // namespace ariadne::explore

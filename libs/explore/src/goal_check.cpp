@@ -48,4 +48,10 @@ bool bordersUnknown(const grid::OccupancyGrid& map, const TPoint2D& point, doubl
   return unknown >= kFew;
 }
 
+double freeArea(const grid::OccupancyGrid& map, const TPoint2D& point, double reach_m) {
+  int cells = 0;
+  forEachNear(map, point, reach_m, [&](std::int8_t odds) { cells += odds > 0; });
+  return cells * map.resolution() * map.resolution();
+}
+
 }  // namespace ariadne::explore

@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ariadne/core/release_chain.h"
+
 namespace ariadne::filter {
 
-// A long line must not be freed by recursion: ten thousand steps would overflow the stack.
 Ancestor::~Ancestor() {
-  AncestorPtr next = std::move(parent_);
-  while (next && next.use_count() == 1) {
-    AncestorPtr above = std::move(next->parent_);
-    next = std::move(above);
-  }
+  core::releaseChain(
+      std::move(parent_), [](const Ancestor& a) -> auto& { return a.parent_; });
 }
 
 AncestorPtr ancestorAt(const AncestorPtr& leaf, std::size_t step) {

@@ -89,8 +89,8 @@ double ParticleSet::evidenceOfPlace() const {
   return std::pow(static_cast<double>(passes), -p.revisit_exponent);
 }
 
-/// With the action's own covariance where it has one: more than the odometry's noise is in it then, and
-/// nothing is to be learned from it.
+/// With the action's own covariance where it has one: more than the odometry's noise is in it then,
+/// and nothing is to be learned from it.
 models::Motion ParticleSet::motionOf(const mrpt::obs::CActionRobotMovement2D& movement) const {
   const auto [covariance, mean] = movement.poseChange->getCovarianceAndMean();
   const Eigen::Matrix3d given = covariance.asEigen();
@@ -216,7 +216,7 @@ void ParticleSet::insertScan(std::size_t checkpoint_updates) {
     if (twin_[i] != i) return;
     Particle& p = m_particles[i].d;
     p.map.insert(shape_, p.map_from_robot);
-    if (keep) p.checkpoints = std::make_shared<Checkpoint>(Checkpoint{step_, p.map, p.checkpoints});
+    if (keep) p.checkpoints = std::make_shared<Checkpoint>(step_, p.map, p.checkpoints);
   });
   for (std::size_t i = 0; i < size(); ++i)
     if (twin_[i] != i) m_particles[i].d = m_particles[twin_[i]].d;

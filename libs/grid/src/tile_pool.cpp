@@ -91,18 +91,38 @@ class Store {
   std::size_t reserved_ = 0;
 };
 
+// Statics and other thread-local objects may hold tiles for longer than the thread has piles.
+thread_local bool piles_are_gone = false;
+
 /// What a thread has at hand, two batches of a size at the most.
 struct AtHand {
   Piles piles;
   ~AtHand() {
+    piles_are_gone = true;
     for (std::size_t size = 0; size < piles.size(); ++size)
       if (piles[size].count > 0) Store::instance().keep(piles[size], size);
   }
 };
 
-Piles& atHand() {
+/// Null once the thread is about to end.
+Pile* atHand(std::size_t size) {
+  if (piles_are_gone) return nullptr;
   static thread_local AtHand at_hand;
-  return at_hand.piles;
+  return &at_hand.piles[size];
+}
+
+Piece* takeFromStore(std::size_t size) {
+  Pile pile;
+  Store::instance().fill(pile, size);
+  Piece* piece = pile.pop();
+  if (pile.count > 0) Store::instance().keep(pile, size);
+  return piece;
+}
+
+void giveToStore(Piece* piece, std::size_t size) {
+  Pile pile;
+  pile.push(piece);
+  Store::instance().keep(pile, size);
 }
 
 #if defined(__SANITIZE_ADDRESS__)
@@ -116,9 +136,10 @@ constexpr bool kPooled = true;
 void* TilePool::take(std::size_t bytes) {
   if (!kPooled || bytes > kMost) return ::operator new(bytes);
   const std::size_t size = (bytes + kStep - 1) / kStep;
-  Pile& pile = atHand()[size];
-  if (pile.count == 0) Store::instance().fill(pile, size);
-  return pile.pop();
+  Pile* const pile = atHand(size);
+  if (!pile) return takeFromStore(size);
+  if (pile->count == 0) Store::instance().fill(*pile, size);
+  return pile->pop();
 }
 
 void TilePool::give(void* memory, std::size_t bytes) noexcept {
@@ -127,11 +148,12 @@ void TilePool::give(void* memory, std::size_t bytes) noexcept {
     return;
   }
   const std::size_t size = (bytes + kStep - 1) / kStep;
-  Pile& pile = atHand()[size];
-  pile.push(static_cast<Piece*>(memory));
-  if (pile.count < 2 * kBatch) return;
+  Pile* const pile = atHand(size);
+  if (!pile) return giveToStore(static_cast<Piece*>(memory), size);
+  pile->push(static_cast<Piece*>(memory));
+  if (pile->count < 2 * kBatch) return;
   Pile batch;
-  for (std::size_t i = 0; i < kBatch; ++i) batch.push(pile.pop());
+  for (std::size_t i = 0; i < kBatch; ++i) batch.push(pile->pop());
   Store::instance().keep(batch, size);
 }
 

@@ -43,8 +43,7 @@ filter::Particle attach(const SavedEntry& entry, const grid::OccupancyGrid& map_
     if (a->step() % checkpoint_updates != 0) continue;
     p.map.insertMany(scans);
     scans.clear();
-    p.checkpoints =
-        std::make_shared<filter::Checkpoint>(filter::Checkpoint{a->step(), p.map, p.checkpoints});
+    p.checkpoints = std::make_shared<filter::Checkpoint>(a->step(), p.map, p.checkpoints);
   }
   p.map.insertMany(scans);
   p.map_from_robot = leaf->pose();

@@ -60,7 +60,8 @@ mrpt::obs::CActionCollection actionOf(const TPose2D& increment, const Eigen::Mat
   return actions;
 }
 
-/// MRPT draws resampling indices from its global generator: the one place where it is seeded.
+/// MRPT draws resampling indices from its generator, of which every thread has its own: the one
+/// place where it is seeded.
 void seedMrpt(std::uint64_t seed, std::size_t step) {
   core::RandomStream stream(seed, static_cast<std::uint32_t>(step), 0, core::Purpose::resampling);
   mrpt::random::getRandomGenerator().randomize(stream.bits());

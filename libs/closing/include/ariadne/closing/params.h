@@ -54,8 +54,10 @@ void visitFields(V& v, ClosingParams& p) {
       "resamplings; the pose as certain as at the entry [19]; the loop's length driven; so many "
       "laps; never does not end it on leaving either");
   v.number("arm_distance_m", p.arm_distance_m, {0, 100000},
-           "the rules on Neff and uncertainty wait so far after the entry");
-  v.number("neff_window_m", p.neff_window_m, {0.1, 100000}, "Neff is judged over so far");
+           "stop = uncertainty waits this far after the entry; the rules on Neff wait for their "
+           "window");
+  v.number("neff_window_m", p.neff_window_m, {0.1, 100000},
+           "Neff is judged over this far, all of it after the entry");
   v.number("neff_change", p.neff_change, {0, 1},
            "Neff is constant when it changes by less than this share of N over the window");
   v.number("neff_slope_per_m", p.neff_slope_per_m, {0, 100},

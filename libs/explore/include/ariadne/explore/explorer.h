@@ -7,6 +7,7 @@
 
 #include "ariadne/explore/decision.h"
 #include "ariadne/explore/frontiers.h"
+#include "ariadne/explore/left_loops.h"
 #include "ariadne/explore/loop_route.h"
 #include "ariadne/explore/route_follower.h"
 #include "ariadne/slam/mapper.h"
@@ -63,9 +64,8 @@ class Explorer {
   void touch(const Belief& belief);
   void giveUp(const Belief& belief, const std::string& why);
   void failTarget(const std::string& why);
-  void shut(const Belief& belief, const closing::Closing& loop, const std::string& why);
-  bool isShut(const closing::Closing& loop) const;
-  void end(const Belief& belief, const std::string& reason);
+  void leave(const Belief& belief, const closing::Closing& loop, const std::string& why);
+  models::VelocityCommand end(const Belief& belief, const std::string& reason);
   void go(Goal goal, const mrpt::math::TPoint2D& target, Route route);
   Decision& note(const Belief& belief, DecisionKind kind, const std::string& text);
   bool reconsiders(const Belief& belief);
@@ -81,8 +81,7 @@ class Explorer {
   std::vector<Frontier> frontiers_;
   std::vector<FailedTarget> failed_;
   std::vector<mrpt::math::TPoint2D> touched_at_;  // map frame
-  std::vector<std::size_t> shut_;                 // closings that were given up, by name
-  std::vector<mrpt::math::TPoint2D> shut_entries_;
+  LeftLoops left_;
   std::optional<LoopRoute> loop_route_;
   std::size_t followed_ = 0;                   // the closing that loop_route_ is of
   std::size_t loop_name_ = 0;                  // that the robot drives to or follows

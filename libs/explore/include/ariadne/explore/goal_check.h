@@ -14,4 +14,7 @@ bool routeHolds(const grid::OccupancyGrid& map, const Route& route, std::size_t 
 bool bordersUnknown(const grid::OccupancyGrid& map, const mrpt::math::TPoint2D& point,
                     double reach_m);
 
+/// Area that the map knows to be free within `reach_m` of the point, m^2.
+double freeArea(const grid::OccupancyGrid& map, const mrpt::math::TPoint2D& point, double reach_m);
+
 }  // namespace ariadne::explore

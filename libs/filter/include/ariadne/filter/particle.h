@@ -3,6 +3,7 @@
 #pragma once
 #include <memory>
 
+#include "ariadne/core/release_chain.h"
 #include "ariadne/filter/ancestry.h"
 #include "ariadne/grid/occupancy_grid.h"
 
@@ -13,7 +14,17 @@ namespace ariadne::filter {
 struct Checkpoint {
   std::size_t step = 0;
   grid::OccupancyGrid map;
-  std::shared_ptr<const Checkpoint> earlier;
+  mutable std::shared_ptr<const Checkpoint> earlier;  ///< let go one by one by the destructor
+
+  Checkpoint(std::size_t at, const grid::OccupancyGrid& as_of,
+             std::shared_ptr<const Checkpoint> before)
+      : step(at), map(as_of), earlier(std::move(before)) {}
+  ~Checkpoint() {
+    core::releaseChain(
+        std::move(earlier), [](const Checkpoint& c) -> auto& { return c.earlier; });
+  }
+  Checkpoint(const Checkpoint&) = delete;
+  Checkpoint& operator=(const Checkpoint&) = delete;
 };
 
 /// Copying one shares everything.
