@@ -48,6 +48,10 @@ report::Replay drive(const slam::SlamParams& params, bool decides) {
                      {{"frontier", "utility"}, {"1", "0.5"}, {"2", kNasty}}});
       recorder.show(sceneAt(report->map_from_robot));
     }
+    if (decides && report->step == 30)
+      recorder.mark({0, report::MomentKind::detection, "A loop is there", kNasty, {}});
+    if (decides && report->step == 80)
+      recorder.mark({0, report::MomentKind::recovery, "Hypotheses come back", kNasty, {}});
     recorder.step(*report, report::viewOf(mapper),
                   "at update " + std::to_string(report->step) + " <u>");
   }

@@ -49,10 +49,11 @@ class Page(unittest.TestCase):
                 url = message["params"]["request"]["url"]
                 self.assertTrue(url.startswith(("file://" + self.folder.name, "data:")), url)
 
-    def open(self, name, width=1400):
+    def open(self, name, width=1400, height=1000, moment="#update=0"):
         self.cdp("Emulation.setDeviceMetricsOverride",
-                 {"width": width, "height": 1000, "deviceScaleFactor": 1, "mobile": False})
-        self.browser.get((pathlib.Path(self.folder.name) / name).as_uri())
+                 {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
+        self.browser.get("about:blank")  # another moment of the same page would not load it again
+        self.browser.get((pathlib.Path(self.folder.name) / name).as_uri() + moment)
         WebDriverWait(self.browser, 10, 0.02).until(
             lambda b: b.execute_script("return document.body.dataset.ready"))
 
@@ -182,6 +183,63 @@ class Page(unittest.TestCase):
                          ["path of the best particle s*", "particles"])
         self.open("full.html")
         self.assertEqual(len(self.all(".chart")), 4)
+
+    def test_opens_at_the_end_of_the_run(self):
+        self.open("full.html", moment="")
+        self.assertEqual(self.step(), self.last())
+        self.assertEqual(self.get("#state").text, f"at update {self.last()} <u>")
+
+    def address(self):
+        return self.browser.execute_script("return location.hash")
+
+    def test_the_address_names_the_moment(self):
+        self.open("full.html", moment="#update=60")
+        self.assertEqual(self.step(), 60)
+        self.keys(Keys.ARROW_RIGHT)
+        self.assertEqual(self.get("#link").text, "#update=61")
+        WebDriverWait(self.browser, 5, 0.02).until(lambda b: self.address() == "#update=61")
+        self.browser.execute_script("location.hash = '#update=30'")
+        WebDriverWait(self.browser, 5, 0.02).until(lambda b: self.step() == 30)
+        for nonsense in ("#update=999999", "#update=-1", "#update=x"):
+            self.open("full.html", moment=nonsense)
+            self.assertEqual(self.step(), self.last())
+
+    def test_moments_can_be_filtered(self):
+        self.open("full.html")
+        shown = lambda: [i for i in self.all("#moments li") if i.is_displayed()]
+        everything, ticks = len(shown()), len(self.all("#ticks i:not([hidden])"))
+        self.assertEqual(ticks, everything)
+        decisions = next(b for b in self.all("#moment-kinds button") if b.text == "decisions")
+        decisions.click()
+        self.assertEqual(decisions.get_attribute("aria-pressed"), "false")
+        self.assertGreater(len(shown()), 0)
+        self.assertLess(len(shown()), everything)
+        self.assertEqual([i.text for i in shown() if "· decision" in i.text], [])
+        self.assertEqual(len(self.all("#ticks i:not([hidden])")), len(shown()))
+        self.assertEqual(self.get("#moments-count").text, f"{len(shown())} of {everything}")
+        decisions.click()
+        self.assertEqual(len(shown()), everything)
+
+    def test_words_are_explained_by_the_glossary(self):
+        self.open("full.html")
+        explained = {e.text: e.get_attribute("title") for e in self.all(".term")}
+        self.assertIn("effective number of particles", explained["Neff"])
+        self.assertIn("Eq. (8)", explained["path of the best particle s*"])
+        missing = self.browser.execute_script("return Object.values(kTerms).filter((t) => !kGlossary[t])")
+        self.assertEqual(missing, [])
+
+    def in_sight(self, selector):
+        return self.browser.execute_script(
+            "const box = document.querySelector(arguments[0]).getBoundingClientRect();"
+            "return box.height > 0 && box.top >= 0 && box.bottom <= innerHeight;", selector)
+
+    def test_map_and_transport_are_always_in_sight(self):
+        for width, height in ((1600, 950), (700, 900), (400, 800)):
+            self.open("full.html", width, height)
+            for place in ("header", ".chart:last-child", "footer"):
+                self.browser.execute_script("document.querySelector(arguments[0]).scrollIntoView()", place)
+                for part in ("#map", "#play", "#slider"):
+                    self.assertTrue(self.in_sight(part), f"{part} with {place} at {width} x {height}")
 
     def test_text_is_shown_literally(self):
         self.open("full.html")

@@ -5,10 +5,9 @@ class Charts {
     Object.assign(this, { replay, goTo, step: 0, x: replay.steps.time, format: clock, charts: [] });
     const place = document.getElementById("charts");
     const plans = chartPlans(replay.steps, replay.particles);
-    place.dataset.count = String(plans.length);
     for (const plan of plans) {
       const canvas = element("canvas", { role: "img", "aria-label": `${plan.title} over the run` });
-      place.append(element("section", { class: "chart card" }, element("h3", {}, plan.title), element("p", {}, plan.text), element("div", { class: "chart-box" }, canvas)));
+      place.append(element("section", { class: "chart card" }, element("h3", {}, term(plan.title)), element("p", {}, plan.text), element("div", { class: "chart-box" }, canvas)));
       this.charts.push(new Chart(canvas, this.config(plan)));
     }
   }

@@ -29,7 +29,7 @@ function makeReadout(replay) {
     ["Map as of", (step) => `update ${replay.frameOf[step].step}`, true],
   ].filter((row) => row[2]);
   const values = rows.map(() => element("dd"));
-  document.getElementById("readout").append(...rows.map((row, i) => element("div", {}, element("dt", {}, row[0]), values[i])));
+  document.getElementById("readout").append(...rows.map((row, i) => element("div", {}, element("dt", {}, term(row[0])), values[i])));
   return (step) => rows.forEach((row, i) => (values[i].textContent = row[1](step)));
 }
 
@@ -41,7 +41,7 @@ function makeLayers(replay, scene, redraw) {
       else scene.hidden.add(layer.name);
       redraw();
     });
-    document.getElementById("layers").append(element("label", {}, box, element("i", { style: `--colour: var(--${layer.name})` }), layer.label));
+    document.getElementById("layers").append(element("label", {}, box, element("i", { style: `--colour: var(--${layer.name})` }), term(layer.label)));
   }
 }
 
@@ -69,15 +69,17 @@ async function start() {
   const moments = new Moments(replay, (step) => player.goTo(step));
   const readout = makeReadout(replay);
   const state = document.getElementById("state");
+  const link = new MomentLink(replay.steps.count);
   player = new Player(replay.steps.count, (step) => {
     state.textContent = replay.steps.state[step];
     readout(step);
     player.slider.setAttribute("aria-valuetext", `update ${step}, ${clock(replay.steps.time[step])}, ${replay.steps.state[step]}`);
     moments.show(step);
     charts.show(step);
+    link.show(step, player.playing);
     redraw();
   });
-  player.show(0);
+  link.follow((step) => player.goTo(step));
   makeLayers(replay, scene, redraw);
   charts.recolour();
   const axis = document.getElementById("axis");

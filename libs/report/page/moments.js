@@ -1,5 +1,6 @@
 // The list of moments to jump to, and their marks over the slider.
 
+const kGroups = { decision: "decisions", detection: "loops", entry: "loops", end: "loops", recovery: "recoveries" };
 const kKinds = { decision: "decision", detection: "loop detected", entry: "entry reached", end: "closing ended", recovery: "recovery" };
 
 class Moments {
@@ -8,11 +9,38 @@ class Moments {
     this.items = replay.moments.map((moment) => this.item(moment, goTo));
     this.list = document.getElementById("moments");
     this.list.append(...this.items);
-    document.getElementById("moments-count").textContent = this.items.length ? String(this.items.length) : "";
+    this.hidden = new Set();
+    this.count = document.getElementById("moments-count");
     if (!this.items.length) this.list.replaceWith(element("p", { class: "hint" }, "No loop was detected and nothing was decided in this run."));
     const last = Math.max(1, replay.steps.count - 1);
-    for (const moment of replay.moments)
-      document.getElementById("ticks").append(element("i", { style: `--kind: var(--${moment.kind}); left: ${(100 * moment.step) / last}%` }));
+    this.ticks = replay.moments.map((moment) => element("i", { style: `--kind: var(--${moment.kind}); left: ${(100 * moment.step) / last}%` }));
+    document.getElementById("ticks").append(...this.ticks);
+    this.makeSwitches();
+    this.filter();
+  }
+
+  /** A button for each group of moments, where there is more than one. */
+  makeSwitches() {
+    const kinds = [...new Set(this.replay.moments.map((m) => m.kind))];
+    const groups = [...new Set(kinds.map((kind) => kGroups[kind]))];
+    for (const group of groups.length > 1 ? groups : []) {
+      const kind = kinds.find((k) => kGroups[k] === group);
+      const button = element("button", { type: "button", "aria-pressed": "true", style: `--kind: var(--${kind})` }, term(group));
+      button.addEventListener("click", () => {
+        const hides = !this.hidden.delete(group);
+        if (hides) this.hidden.add(group);
+        button.setAttribute("aria-pressed", String(!hides));
+        this.filter();
+      });
+      document.getElementById("moment-kinds").append(button);
+    }
+  }
+
+  filter() {
+    const shown = this.replay.moments.map((m) => !this.hidden.has(kGroups[m.kind]));
+    shown.forEach((is, i) => (this.items[i].hidden = this.ticks[i].hidden = !is));
+    const count = shown.filter((is) => is).length;
+    this.count.textContent = count === shown.length ? String(count || "") : `${count} of ${shown.length}`;
   }
 
   item(moment, goTo) {

@@ -50,6 +50,7 @@ class Player {
     if (!this.playing) return;
     this.playing = false;
     this.tellButton();
+    this.changed(this.step);
   }
 
   tellButton() {

@@ -30,8 +30,6 @@ class View {
     canvas.addEventListener("dblclick", () => this.fit());
     canvas.addEventListener("pointerdown", (e) => this.grab(e));
     new ResizeObserver(() => this.resize()).observe(canvas);
-    const aspect = (extent.x1 - extent.x0) / (extent.y1 - extent.y0);
-    canvas.style.aspectRatio = String(Math.min(Math.max(aspect, 0.9), 2.2));
   }
 
   fit() {
