@@ -1,28 +1,7 @@
-// Logs whose clock, odometry or scans do not make sense: what a run makes of them, and what it
-// says.
-#include <gtest/gtest.h>
-
-#include <nlohmann/json.hpp>
-
-#include "ariadne/io/tum.h"
-#include "slam_app_fixture.h"
+// Logs whose clock or readings do not make sense: what a run makes of them, and what it says.
+#include "slam_sense.h"
 
 using namespace ariadne;
-
-class SlamSense : public SlamApp {
- protected:
-  nlohmann::json summary(const char* run) const {
-    return nlohmann::json::parse(io::readWhole(folder / run / "summary.json"));
-  }
-  models::Trajectory path(const char* run) const {
-    return io::readTum(folder / run / "trajectory.tum");
-  }
-  static std::size_t countOf(const std::string& text, const std::string& part) {
-    std::size_t n = 0;
-    for (auto at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++n;
-    return n;
-  }
-};
 
 TEST_F(SlamSense, AClockThatIsSetBackChangesNoPose) {
   room_log::Options set_back;
@@ -57,4 +36,41 @@ TEST_F(SlamSense, StampsThatRunBackwardsAreAnError) {
   log = put("back.log", room_log::text(40, backwards));
   EXPECT_EQ(map("back"), 1);
   EXPECT_NE(err.find("39 of 40 scans have stamps that neither"), std::string::npos) << err;
+}
+
+TEST_F(SlamSense, ACodeForNothingMapsAsNoReturnDoes) {
+  room_log::Options reach;
+  reach.reading = [](double r) { return r < 5 ? r : 81.91; };
+  log = put("plain.log", room_log::text(60, reach));
+  ASSERT_EQ(map("plain"), 0) << err;
+  for (const double code : {8.183, 8.191, 9.99, 32.76, 50.0, 51.15}) {
+    reach.reading = [=](double r) { return r < 5 ? r : code; };
+    log = put("coded.log", room_log::text(60, reach));
+    ASSERT_EQ(map("coded", {"--overwrite"}), 0) << err;
+    EXPECT_EQ(countOf(err, "are taken for no return"), 1U) << code << err;
+    EXPECT_EQ(io::readWhole(folder / "coded/map.pgm"), io::readWhole(folder / "plain/map.pgm"))
+        << code;
+  }
+}
+
+TEST_F(SlamSense, WhatIsTooNearIsNoWallAtTheRobot) {
+  room_log::Options spoilt;
+  spoilt.reading = [n = 0](double r) mutable { return ++n % 50 == 0 ? 0.0 : r; };
+  log = put("zeros.log", room_log::text(40, spoilt));
+  ASSERT_EQ(map("zeros"), 0) << err;
+  spoilt.reading = [n = 0](double r) mutable { return ++n % 50 == 0 ? 0.006 : r; };
+  log = put("near.log", room_log::text(40, spoilt));
+  ASSERT_EQ(map("near"), 0) << err;
+  EXPECT_EQ(countOf(err, "nearer than [dataset] min_range_m"), 1U) << err;
+  EXPECT_EQ(io::readWhole(folder / "near/map.pgm"), io::readWhole(folder / "zeros/map.pgm"));
+}
+
+TEST_F(SlamSense, AClockwiseLaserMapsAsTheOtherDoes) {
+  ASSERT_EQ(map("plain"), 0) << err;
+  room_log::Options turned;
+  turned.clockwise = true;
+  log = put("turned.log", room_log::text(40, turned));
+  ASSERT_EQ(map("turned"), 0) << err;
+  EXPECT_EQ(err.find("warning"), err.npos) << err;
+  EXPECT_LT(farthest(path("turned"), path("plain")), 0.02);  // angles of six digits
 }

@@ -116,6 +116,45 @@ TEST_F(Planning, PicturesOfRosMapsAreHashedHoweverTheyAreNamed) {
   }
 }
 
+TEST_F(Planning, ARecordingInAFolderCountsByItsParts) {
+  const fs::path drive = folder / "drive";
+  const auto put = [&](const char* name, const std::string& content) {
+    io::writeWhole(drive / name, content);
+  };
+  const std::string mcap("\x89MCAP0\r\n", 8);
+  fs::create_directories(drive);
+  const std::string text = "[arm.third]\nprogram = ./program.sh\nconfig = arm.ini\n";
+  writeExperiment(text + "dataset = drive\n");
+  EXPECT_NE(message().find("drive is a directory and no recording of ROS"), std::string::npos)
+      << message();
+  put("drive_0.mcap", mcap + "one");
+  put("drive_1.mcap", mcap + "two");
+  const auto key = [&] { return keys()[2]; };
+  for (const char* named : {"drive", "drive/metadata.yaml"}) {
+    SCOPED_TRACE(named);
+    put("metadata.yaml",
+        "rosbag2_bagfile_information:\n  relative_file_paths: [drive_0.mcap, drive_1.mcap]\n");
+    io::writeWhole(folder / "arm.ini",
+                   fmt::format("[dataset]\nfile = {}\n", (folder / named).string()));
+    writeExperiment(text + fmt::format("set.dataset.file = {}\n", named));
+    const std::string before = key();
+    const std::string stamp = batch::stampOf(folder / named);
+    EXPECT_EQ(key(), before);
+    put("drive_1.mcap", mcap + "other");
+    EXPECT_NE(key(), before);
+    EXPECT_NE(batch::stampOf(folder / named), stamp);
+    put("drive_1.mcap", mcap + "two");
+    EXPECT_EQ(key(), before);
+    put("metadata.yaml",
+        "rosbag2_bagfile_information:\n  relative_file_paths: [drive_1.mcap, drive_0.mcap]\n");
+    EXPECT_NE(key(), before) << "the order of the parts";
+  }
+  io::writeWhole(folder / "arm.ini", fmt::format("[dataset]\nfile = {}\n", drive.string()));
+  fs::remove(drive / "drive_0.mcap");
+  EXPECT_NE(message().find("names the file drive_0.mcap, which is not there"), std::string::npos)
+      << message();
+}
+
 TEST_F(Planning, WhatProgramsPrintLiesWhereOthersCannotPutALink) {
   const fs::path tmp = folder / "tmp";
   fs::create_directories(tmp);
@@ -174,7 +213,7 @@ TEST_F(Planning, ErrorsNameWhatIsMissing) {
   writeExperiment("[arm.third]\nconfig = none.ini\nprogram = ./program.sh\n");
   EXPECT_NE(message().find("none.ini: there is no file"), std::string::npos) << message();
   writeExperiment(arm + "program = ./program.sh\ndataset = none.rawlog\n");
-  EXPECT_NE(message().find("none.rawlog: there is no file"), std::string::npos) << message();
+  EXPECT_NE(message().find("none.rawlog: there is no such file"), std::string::npos) << message();
   writeExperiment("[factor.w]\nkey = --world\nvalues = none/x.world\n");
   EXPECT_NE(message().find("[factor.w] values: there is no file none/x.world"), std::string::npos)
       << message();

@@ -36,6 +36,13 @@ void readLog(const Path& file) {
   infoAsJson(info);
 }
 
+/// Of a recording with a part that holds nothing.
+void readMetadata(const Path& file) {
+  const Path part = file.parent_path() / "part_0.mcap";
+  if (!std::filesystem::exists(part)) std::ofstream(part) << "\x89MCAP0\r\n";
+  readLog(file);
+}
+
 /// What is newer than our decoder: MRPT's own classes, of the versions that they write.
 void readNewerObservation(const Path& file) {
   const std::string body = io::readWhole(file);
@@ -67,7 +74,8 @@ void readWorld(const Path& file) { sim::readWorld(file); }
 /// Of a picture of 3 x 2 pixels beside it: occupied, unknown, free, twice.
 void readRosMap(const Path& file) {
   const Path picture = file.parent_path() / "map.pgm";
-  if (!std::filesystem::exists(picture)) std::ofstream(picture) << std::string("P5\n3 2\n255\n\0\xcd\xfe\xfe\xcd\0", 17);
+  if (!std::filesystem::exists(picture))
+    std::ofstream(picture) << std::string("P5\n3 2\n255\n\0\xcd\xfe\xfe\xcd\0", 17);
   sim::readWorld(file);
 }
 void readPicture(const Path& file) { sim::readWorldPicture(file, 0.05); }

@@ -7,6 +7,7 @@ namespace ariadne::fuzz {
 using Path = std::filesystem::path;
 
 void readLog(const Path& file);
+void readMetadata(const Path& file);
 void readNewerObservation(const Path& file);
 void readTum(const Path& file);
 void readRelations(const Path& file);

@@ -8,13 +8,14 @@
 namespace ariadne::fuzz {
 
 const std::vector<Reader>& readers() {
-  static const std::vector<Reader> all = {{"log", "in.log", readLog},
+  static const std::vector<Reader> all = {{"carmen", "in.log", readLog},
+                                          {"rawlog", "in.rawlog", readLog},
                                           {"newer", "in.bin", readNewerObservation},
                                           {"bag", "in.bag", readLog},
                                           {"mcap", "in.mcap", readLog},
                                           {"db3", "in.db3", readLog},
                                           {"zstd", "in.db3.zstd", readLog},
-                                          {"metadata", "metadata.yaml", readLog},
+                                          {"metadata", "metadata.yaml", readMetadata},
                                           {"tum", "in.tum", readTum},
                                           {"relations", "in.relations", readRelations},
                                           {"world", "in.world", readWorld},

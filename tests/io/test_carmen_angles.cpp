@@ -1,6 +1,7 @@
 // Angles of a CARMEN log's beams: what the log or its user says is used, nothing is invented.
 #include "ariadne/io/dataset_writers.h"
 #include "carmen_geometry.h"
+#include "walled_log.h"
 
 using namespace sample;  // NOLINT: a test of these samples
 
@@ -59,6 +60,47 @@ TEST_F(CarmenAngles, NoAngleIsGuessed) {
          {"a.log: ", "FLASER lines have ", " beams", "field_of_view_deg", "--field-of-view"})
       EXPECT_NE(r.error.find(part), std::string::npos) << beams << ": " << r.error;
     EXPECT_NE(r.error.find(fmt::format("have {} beams", beams)), std::string::npos) << r.error;
+  }
+}
+
+namespace {
+
+/// What 360 beams see from places along a room of 9 x 6 m, the first `degrees` / 2 to the right.
+std::string roomScans(double degrees, const std::string& before = "") {
+  std::string text = before;
+  for (int k = 0; k < 30; ++k) {
+    const TPose2D pose(-3 + 0.2 * k, 0.4, 0.3 + 0.05 * k);
+    text += "FLASER 360";
+    for (int i = 0; i < 360; ++i)
+      text += fmt::format(" {:.2f}",
+                          distance(room(9, 6), pose, (i / 360.0 - 0.5) * degrees * M_PI / 180));
+    const std::string at = fmt::format("{} {} {}", pose.x, pose.y, pose.phi);
+    text += fmt::format(" {0} {0} {1} h 1\n", at, kBegin_s + k);
+  }
+  return text;
+}
+
+}  // namespace
+
+TEST_F(CarmenAngles, ALaserThatLooksAllRoundIsNoSickOf360Beams) {
+  expectFan(readLog(roomScans(180)), -90, 89.5);  // as in the logs of Freiburg's building 79
+  const Read round = readLog(roomScans(360));
+  for (const char* part : {"FLASER lines have 360 beams", "their first and last beams see the same",
+                           "field_of_view_deg=360", "--field-of-view"})
+    EXPECT_NE(round.error.find(part), std::string::npos) << round.error;
+  expectFan(readLog(roomScans(360), 360), -180, 179);
+  expectFan(readLog(roomScans(360, "PARAM laser_front_laser_resolution 1.0\n")), -180, 179);
+  // From one place a SICK may see the same on both sides.
+  expectFan(readLog(flasers(360, 300)), -90, 89.5);
+}
+
+TEST_F(CarmenAngles, TheRealLogsLookRoundNowhere) {
+  for (const char* name :
+       {"mit-csail/mit-csail.clf.gz", "intel/intel-raw910.clf.gz",
+        "infinite-corridor/infinite-corridor-corrected.log.gz",
+        "large-loops/acapulco-corrected.log.gz", "large-loops/aces-corrected.log.gz"}) {
+    if (realLog(name).empty()) GTEST_SKIP() << name << " is missing (set ARIADNE_DATASETS)";
+    EXPECT_NO_THROW(io::openDataset(realLog(name))) << name;
   }
 }
 

@@ -48,6 +48,24 @@ TEST(OdometryJump, ASmallResetEndsAtHome) {
   EXPECT_TRUE(other({0, 0, 0}, 6.2));
 }
 
+TEST(OdometryJump, AResetAfterAGapIsOneHoweverSlowItLooks) {
+  EXPECT_TRUE(driven()({0, 0, 0}, 25));  // 5.4 m in 15 s
+  EXPECT_TRUE(driven()({0.02, 0, 0.01}, 4000));
+  EXPECT_FALSE(driven()({1, 0, 0}, 25));  // elsewhere: the robot may have driven there
+}
+
+TEST(OdometryJump, AResetInMidTurnNearHome) {
+  const auto turning = [](double to_rad) {
+    JumpDetector jumped;
+    for (int i = 0; i <= 10; ++i)
+      EXPECT_FALSE(jumped({0.1, 0.01 * i, to_rad - 0.1 * (10 - i)}, 0.2 * i));
+    return jumped;
+  };
+  EXPECT_TRUE(turning(0.9)({0, 0, 0}, 2.2));
+  EXPECT_FALSE(turning(0.4)({0, 0, 0}, 2.2));  // 115 degrees/s: a quick robot
+  EXPECT_FALSE(turning(0.9)({0, 0, 0}, 4));
+}
+
 TEST(OdometryJump, StampsThatRepeatOrGoBackSayNothingOfSpeed) {
   EXPECT_FALSE(driven()({5.3, 2, 1}, 10));
   EXPECT_TRUE(driven()({7, 2, 1}, 10));

@@ -4,18 +4,18 @@
 
 #include "ariadne/core/error.h"
 #include "ariadne/io/tum.h"
-#include "resolved_config.h"
+#include "data_place.h"
 
 namespace ariadne::batch {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A value that names a file, from the experiment's folder, becomes its path.
+/// A value that names a file or a recording in a folder, from the experiment's folder, becomes its
+/// path.
 std::string fileOr(const std::string& value, const fs::path& folder) {
-  std::error_code ignored;
-  const fs::path path = (folder / value).lexically_normal();
-  return !value.empty() && fs::is_regular_file(path, ignored) ? path.string() : value;
+  const std::string path = (folder / value).lexically_normal().string();
+  return !value.empty() && whyNoData(path).empty() ? path : value;
 }
 
 /// A value with a slash is meant as a file: without it every run would fail, not the plan.
@@ -83,9 +83,8 @@ void checkCall(const Arm& arm, const Program& program, const ArmCall& call) {
   };
   if (!fs::is_regular_file(call.config, ignored))
     fail(fmt::format("config = {}: there is no file {}", arm.config, call.config.string()));
-  if (!call.dataset.empty() && !fs::is_regular_file(call.dataset, ignored))
-    fail(fmt::format("dataset = {}: there is no file {}. {}", arm.dataset, call.dataset,
-                     kWhereDataAre));
+  if (const std::string why = call.dataset.empty() ? "" : whyNoData(call.dataset); !why.empty())
+    fail(fmt::format("dataset = {}: {}: {}", arm.dataset, call.dataset, why));
   if (program.kind == ProgramKind::stock && call.dataset.empty())
     fail("ariadne-stock-rbpf needs a dataset, a rawlog of actions and frames");
   if (program.kind == ProgramKind::stock && !call.settings.empty())

@@ -7,6 +7,7 @@
 #include "ariadne/io/ini_text.h"
 #include "ariadne/io/scratch_folder.h"
 #include "ariadne/io/whole_file.h"
+#include "data_place.h"
 
 namespace ariadne::batch {
 namespace {
@@ -22,24 +23,21 @@ std::string trimmedEnd(std::string text) {
   return text;
 }
 
-bool isData(const io::IniEntry& e) {
+bool namesData(const io::IniEntry& e) {
   return ((e.section == "world" || e.section == "dataset") && e.key == "file") ||
          (e.section == "experiment" && (e.key == "world" || e.key == "path" || e.key == "log"));
 }
 
-bool isFile(const std::string& value) {
-  std::error_code ignored;
-  return !value.empty() && value[0] == '/' && fs::is_regular_file(value, ignored);
+bool isData(const std::string& word) { return whyNoData(word).empty(); }
+
+void demandData(const io::IniEntry& e, const std::string& where) {
+  const std::string why = e.value.empty() ? "" : whyNoData(e.value);
+  if (!why.empty())
+    throw core::UsageError(
+        fmt::format("{}: [{}] {} = {}: {}", where, e.section, e.key, e.value, why));
 }
 
 }  // namespace
-
-const char* const kWhereDataAre =
-    "Worlds and drives are in datasets/ (ariadne-dataset makes others); MRPT's sample log comes "
-    "with the package mrpt-common; the others, as the Infinite Corridor, Intel and MIT CSAIL, are "
-    "at http://ais.informatik.uni-freiburg.de/slamevaluation/datasets.php and the Radish archive's "
-    "mirrors (README.md, \"Logs\"): put them into ../shared/datasets or where ARIADNE_DATASETS "
-    "says";
 
 std::string resolvedConfig(const Program& program, const ArmCall& call, const std::string& where) {
   const auto command = configCommand(program, call);
@@ -59,7 +57,7 @@ std::string resolvedConfig(const Program& program, const ArmCall& call, const st
 
 std::string meaningOfWord(const std::string& word, FileHashes& hashes,
                           std::map<std::string, std::string>& files) {
-  if (!isFile(word)) return word;
+  if (!isData(word)) return word;
   return files[word] = hashes.of(word);
 }
 
@@ -77,9 +75,7 @@ std::string meaningOf(const std::string& config, const std::string& where, FileH
     if (e.section == "dataset" && e.key == "file" && e.value.empty())
       throw core::UsageError(fmt::format(
           "{}: neither it nor its INI names a log: dataset = LOG. {}", where, kWhereDataAre));
-    if (isData(e) && !e.value.empty() && !isFile(e.value))
-      throw core::UsageError(fmt::format("{}: [{}] {} = {}: there is no such file. {}", where,
-                                         e.section, e.key, e.value, kWhereDataAre));
+    if (namesData(e)) demandData(e, where);
     meaning +=
         fmt::format("[{}] {} = {}\n", e.section, e.key, meaningOfWord(e.value, hashes, files));
   }

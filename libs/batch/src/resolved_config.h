@@ -7,9 +7,6 @@
 
 namespace ariadne::batch {
 
-/// What to install or where to get a data file that is missing.
-extern const char* const kWhereDataAre;
-
 /// Asks the program with --print-config (a program that cannot: the INI as it is).
 /// Throws core::UsageError at `where` with what the program said.
 std::string resolvedConfig(const Program& program, const ArmCall& call, const std::string& where);
@@ -20,7 +17,7 @@ std::string resolvedConfig(const Program& program, const ArmCall& call, const st
 std::string meaningOf(const std::string& config, const std::string& where, FileHashes& hashes,
                       std::map<std::string, std::string>& files);
 
-/// The file's hash for a word that is the path of one; it is added to `files`. Else the word.
+/// The hash for a word that is the path of a file or of a recording in a folder; it is added to `files`. Else the word.
 std::string meaningOfWord(const std::string& word, FileHashes& hashes,
                           std::map<std::string, std::string>& files);
 

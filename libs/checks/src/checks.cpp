@@ -9,7 +9,7 @@ namespace {
 constexpr double kMostSkipped = 0.2;
 constexpr double kMostBlind = 0.05;
 constexpr double kMostStanding = 0.05;
-constexpr double kFewest = 5;  // scans, below which a share says nothing
+constexpr std::size_t kFewest = 5;  // scans, below which a share says nothing
 constexpr double kShortestPath = 0.8;
 constexpr double kLongestPath = 1.25;
 constexpr double kLeastWay_m = 10;
@@ -20,39 +20,39 @@ double share(std::size_t part, std::size_t whole) {
   return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0;
 }
 
-bool isMany(std::size_t part, std::size_t whole, double most) {
-  return static_cast<double>(part) >= kFewest && share(part, whole) > most;
+/// A share of the scans, told where it is over `most`.
+Check shareOfScans(const char* name, std::size_t part, std::size_t whole, double most,
+                   const std::string& warning) {
+  Check check{name, share(part, whole), ""};
+  if (part >= kFewest && check.value > most) check.warning = warning;
+  return check;
 }
 
 Check skippedScans(const DriveFigures& drive, std::size_t skipped) {
   const std::size_t all = drive.scans + skipped;
-  Check check{"scans_skipped_share", share(skipped, all), ""};
-  if (isMany(skipped, all, kMostSkipped))
-    check.warning =
-        fmt::format("only {} of {} scans could be used; the lines about skipped scans say why",
-                    drive.scans, all);
-  return check;
+  return shareOfScans(
+      "scans_skipped_share", skipped, all, kMostSkipped,
+      fmt::format("only {} of {} scans could be used; the lines about skipped scans say why",
+                  drive.scans, all));
 }
 
 Check blindScans(const DriveFigures& drive) {
-  Check check{"blind_scans_share", share(drive.blind_scans, drive.scans), ""};
-  if (isMany(drive.blind_scans, drive.scans, kMostBlind))
-    check.warning = fmt::format(
-        "in {} of {} scans hardly a beam returned: there the path is the odometry's alone and "
-        "nothing is mapped; [update] least_returns says how few are too few",
-        drive.blind_scans, drive.scans);
-  return check;
+  return shareOfScans(
+      "blind_scans_share", drive.blind_scans, drive.scans, kMostBlind,
+      fmt::format(
+          "in {} of {} scans hardly a beam returned: there the path is the odometry's alone "
+          "and nothing is mapped; [update] least_returns says how few are too few",
+          drive.blind_scans, drive.scans));
 }
 
 Check standingScans(const DriveFigures& drive) {
-  Check check{"standing_scans_share", share(drive.standing_scans, drive.scans), ""};
-  if (isMany(drive.standing_scans, drive.scans, kMostStanding))
-    check.warning = fmt::format(
-        "the odometry stood still while the robot drove by its scans, in {} of {} scans ({:.1f} m "
-        "of "
-        "way in all): it is missing there; [dataset] odometry = scans maps by the scans alone",
-        drive.standing_scans, drive.scans, drive.odometry_m);
-  return check;
+  return shareOfScans(
+      "standing_scans_share", drive.standing_scans, drive.scans, kMostStanding,
+      fmt::format(
+          "the odometry stood still while the robot drove by its scans, in {} of {} scans "
+          "({:.1f} m of way in all): it is missing there; [dataset] odometry = scans maps by "
+          "the scans alone",
+          drive.standing_scans, drive.scans, drive.odometry_m));
 }
 
 Check pathLength(const DriveFigures& drive, const MapFigures& map) {

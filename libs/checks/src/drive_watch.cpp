@@ -24,10 +24,12 @@ bool within(const mrpt::math::TPose2D& way, double distance_m, double angle_rad)
 }  // namespace
 
 bool DriveWatch::isBlind(const mrpt::obs::CObservation2DRangeScan& scan) const {
-  std::size_t returned = 0;
-  for (std::size_t i = 0; i < scan.getScanSize(); ++i)
+  const std::size_t size = scan.getScanSize();
+  const double enough = least_returns_ * static_cast<double>(size);
+  double returned = 0;
+  for (std::size_t i = 0; i < size && returned < enough; ++i)
     returned += scan.getScanRangeValidity(i) && scan.getScanRange(i) < grid_.insert_range_m;
-  return static_cast<double>(returned) < least_returns_ * static_cast<double>(scan.getScanSize());
+  return returned < enough;
 }
 
 void DriveWatch::add(const models::SensorStep& step) {

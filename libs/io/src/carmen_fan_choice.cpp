@@ -91,12 +91,17 @@ Source byCount(std::size_t count) {
 }
 
 std::string problemOf(const std::string& label, std::size_t count, const CarmenLaserParams& params,
-                      const std::vector<std::string>& remarks) {
+                      const std::vector<std::string>& remarks, bool looks_round) {
+  const char* what =
+      looks_round
+          ? "their first and last beams see the same, as with a laser that looks all round, "
+            "while SICKs with so many span 180 or 100 degrees"
+          : "nothing in the log says over what angle";
   std::string text = fmt::format(
-      "{} lines have {} beams, and nothing in the log says over what angle (no PARAM "
-      "laser_{}_laser_resolution); say it: [dataset] field_of_view_deg, as in --set "
-      "dataset.field_of_view_deg=270, or ariadne-dataset's --field-of-view",
-      label, count, params.rear ? "rear" : "front");
+      "{} lines have {} beams, and {} (no PARAM laser_{}_laser_resolution); say it: [dataset] "
+      "field_of_view_deg, as in --set dataset.field_of_view_deg={}, or ariadne-dataset's "
+      "--field-of-view",
+      label, count, what, params.rear ? "rear" : "front", looks_round ? 360 : 270);
   for (const std::string& remark : remarks) text += "; " + remark;
   return text;
 }
@@ -105,7 +110,7 @@ std::string problemOf(const std::string& label, std::size_t count, const CarmenL
 
 FanChoice chooseFan(const std::string& label, std::size_t count,
                     const std::optional<CarmenLineFan>& line, const CarmenLaserParams& params,
-                    double setting_deg) {
+                    double setting_deg, bool looks_round) {
   FanChoice choice;
   // The last one holds only where nothing else does, so it contradicts nobody.
   const Source sources[] = {bySetting(count, line, setting_deg), byLine(count, line),
@@ -124,9 +129,10 @@ FanChoice chooseFan(const std::string& label, std::size_t count,
   }
   if (choice.fan) return choice;
   const Source known = byCount(count);
-  choice.fan = known.fan;
+  if (!looks_round) choice.fan = known.fan;
   choice.source = known.name;
-  if (!choice.fan) choice.problem = problemOf(label, count, params, choice.remarks);
+  if (!choice.fan)
+    choice.problem = problemOf(label, count, params, choice.remarks, known.fan.has_value());
   return choice;
 }
 

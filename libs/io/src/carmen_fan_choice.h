@@ -24,9 +24,10 @@ struct FanChoice {
 };
 
 /// For `count` beams, at least 2. First the user's setting (0: none), then what the line says, then
-/// PARAMs, then the number of beams where that is enough. `label` is for the problem's text.
+/// PARAMs, then the number of beams where that is enough: not for a laser that `looks_round`.
+/// `label` is for the problem's text.
 FanChoice chooseFan(const std::string& label, std::size_t count,
                     const std::optional<CarmenLineFan>& line, const CarmenLaserParams& params,
-                    double setting_deg);
+                    double setting_deg, bool looks_round = false);
 
 }  // namespace ariadne::io

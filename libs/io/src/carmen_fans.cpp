@@ -22,16 +22,19 @@ FanChoice CarmenFans::choose(const Kind& kind) const {
   if (count < 2) return {CarmenFan(), "", {}, ""};
   const bool bare = label == "FLASER" || label == "RLASER";
   const auto line = bare ? std::nullopt : std::optional(CarmenLineFan{start, field, step});
-  return chooseFan(label, count, line, params_.of(label), field_of_view_deg_);
+  const auto met = met_.find(kind);
+  const bool looks_round = met != met_.end() && met->second.looksRound();
+  return chooseFan(label, count, line, params_.of(label), field_of_view_deg_, looks_round);
 }
 
 void CarmenFans::meet(const CarmenScan& scan) {
-  if (met_.size() < kMostKinds) met_.insert(kindOf(scan));
+  const Kind kind = kindOf(scan);
+  if (met_.size() < kMostKinds || met_.count(kind) > 0) met_[kind].add(*scan.record.scan);
 }
 
 bool CarmenFans::allKnown(const std::function<bool(const std::string&)>& is_used) const {
-  return std::all_of(met_.begin(), met_.end(), [&](const Kind& kind) {
-    return !is_used(std::get<0>(kind)) || choose(kind).fan;
+  return std::all_of(met_.begin(), met_.end(), [&](const auto& met) {
+    return !is_used(std::get<0>(met.first)) || choose(met.first).fan;
   });
 }
 

@@ -2,12 +2,12 @@
 #pragma once
 #include <functional>
 #include <map>
-#include <set>
 #include <string>
 #include <tuple>
 #include <vector>
 
 #include "carmen_line.h"
+#include "carmen_seam.h"
 
 namespace ariadne::io {
 
@@ -34,7 +34,7 @@ class CarmenFans {
 
   const CarmenParams& params_;
   double field_of_view_deg_;
-  std::set<Kind> met_;
+  std::map<Kind, CarmenSeam> met_;
   std::map<Kind, FanChoice> choices_;
   FanChoice other_;  ///< of a kind too many to be remembered
 };

@@ -54,8 +54,9 @@ void checkBeams(mrpt::obs::CObservation2DRangeScan& scan, const BeamLimits& limi
   const float reach_m = std::min(scan.maxRange, limits.reach_m);
   const std::size_t size = scan.getScanSize();
   counts.beams += size;
+  float* ranges = size > 0 ? &scan.getScanRange(0) : nullptr;
   for (std::size_t i = 0; i < size; ++i) {
-    float& range = scan.getScanRange(i);
+    float& range = ranges[i];
     const bool called_valid = scan.getScanRangeValidity(i);
     // What lies beyond the file's own maximum is called invalid for that reason alone.
     const bool believed = called_valid || range >= own_max_m;

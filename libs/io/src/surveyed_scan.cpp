@@ -101,10 +101,12 @@ SurveyedScan surveyed(const models::SensorStep& step) {
   out.first_rad = step.odom_from_robot.phi + scan.sensorPose.yaw() - side * scan.aperture / 2;
   out.ranges_mm.resize(size);
   const float limit_m = std::min(scan.maxRange, kFarthest_m);
+  // MRPT checks the index each time, which would cost more than all that is done here.
+  const float* ranges = size > 0 ? &scan.getScanRange(0) : nullptr;
   for (std::size_t i = 0; i < size; ++i) {
-    const float range = scan.getScanRange(i);
+    const float range = ranges[i];
     // NaN is not within either.
-    const bool within = scan.getScanRangeValidity(i) && range > 0 && range < limit_m;
+    const bool within = range > 0 && range < limit_m && scan.getScanRangeValidity(i);
     out.ranges_mm[i] = within ? static_cast<std::int32_t>(range * 1000 + 0.5F) : 0;
   }
   return out;

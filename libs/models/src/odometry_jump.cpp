@@ -44,12 +44,15 @@ bool JumpDetector::operator()(const TPose2D& odom_from_robot, double time_s) {
   const double speed_m_s =
       span_s > 0 ? distance_m / span_s : std::numeric_limits<double>::infinity();
   const double rate = span_s > 0 ? std::abs(way.phi) / span_s : 0;
-  if (std::abs(way.phi) > DEG2RAD(100.0) && rate > DEG2RAD(450.0)) return true;
   const bool home = isHome(odom_from_robot);
-  if (distance_m > (home ? 0.5 : 1) && speed_m_s > (home ? 2 : 5)) {
-    const auto usual_m = usualStep_m();
-    if (distance_m > (usual_m ? kUsual * *usual_m : 3)) return true;
-  }
+  const double turn = std::abs(way.phi);
+  if (turn > DEG2RAD(home ? 30.0 : 100.0) && rate > DEG2RAD(home ? 150.0 : 450.0)) return true;
+  const auto usual_m = usualStep_m();
+  // Over a gap in the log any distance is slow, so that of a reset the place alone tells.
+  const double slowest_m_s = !home ? 5 : usual_m ? 0 : 2;
+  if (distance_m > (home ? 0.5 : 1) && speed_m_s > slowest_m_s &&
+      distance_m > (usual_m ? kUsual * *usual_m : 3))
+    return true;
   if (distance_m > kMoved_m) steps_m_.push_back(distance_m);
   if (steps_m_.size() > kRemembered) steps_m_.pop_front();
   return false;

@@ -15,8 +15,10 @@ namespace {
 using mrpt::DEG2RAD;
 using mrpt::math::TPose2D;
 
-// Mean field under a scan's endpoints from which on it is known where it was taken.
-constexpr double kFound = 0.5;
+/// Mean field under a scan's endpoints from which on it is known where it was taken. Of an endpoint
+/// the field is spread by up to 0.5, and the best of all the places in a window lies about two
+/// deviations of the mean above what chance gives: of few endpoints more is asked.
+double leastScore(std::size_t points) { return 0.5 + 1 / std::sqrt(static_cast<double>(points)); }
 
 /// Half widths of a search about a pose.
 struct Window {
@@ -54,6 +56,7 @@ Recaptured Recapture::operator()(const filter::Particle& particle,
                                  const std::vector<mrpt::math::TPoint2D>& all,
                                  const TPose2D& expected, const Doubt& doubt) const {
   const auto points = grid::thinned(all, static_cast<std::size_t>(params_.max_beams));
+  const double found = leastScore(points.size());
   const auto lookAbout = [&](const TPose2D& motion, const Window& window) {
     models::MatcherParams wide = params_;
     wide.search_distance_m = window.distance_m;
@@ -68,11 +71,11 @@ Recaptured Recapture::operator()(const filter::Particle& particle,
   };
   for (const Window& window : windowsFor(doubt)) {
     const models::Match match = lookAbout(expected, window);
-    if (match.score >= kFound) return {motionTo(match), kKnown, Recaptured::By::scan};
+    if (match.score >= found) return {motionTo(match), kKnown, Recaptured::By::scan};
   }
   if (!doubt.claimed) return {expected, kKept, Recaptured::By::odometry};
   const models::Match match = lookAbout(*doubt.claimed, {0.3, 12});
-  if (match.score >= kFound) return {motionTo(match), kKnown, Recaptured::By::odometry};
+  if (match.score >= found) return {motionTo(match), kKnown, Recaptured::By::odometry};
   return {expected, kKept, Recaptured::By::guess};
 }
 

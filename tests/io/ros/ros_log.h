@@ -8,19 +8,9 @@ class RosLog : public TemporaryFolder {
  protected:
   static sample::Result readWith(const std::filesystem::path& path,
                                  const ariadne::io::RosOptions& ros) {
-    sample::Result r;
-    try {
-      ariadne::io::DatasetOptions options;
-      options.ros = ros;
-      const auto source = ariadne::io::openDataset(path, options);
-      while (auto step = source->next()) r.steps.push_back(std::move(*step));
-      r.counts = source->counts();
-      r.warnings = source->warnings();
-      r.label = source->laserLabel();
-    } catch (const ariadne::core::Error& e) {
-      r.error = e.what();
-    }
-    return r;
+    ariadne::io::DatasetOptions options;
+    options.ros = ros;
+    return sample::read(path, options);
   }
   sample::Result read(const std::string& bytes, const ariadne::io::RosOptions& ros = {}) {
     ariadne::io::writeWhole(folder / "a.mcap", bytes);

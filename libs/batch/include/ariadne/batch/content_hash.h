@@ -8,14 +8,15 @@ namespace ariadne::batch {
 
 std::string hashOf(const std::string& text);
 
-/// Size, time and inode of a file, and of the picture that a map_server YAML names: another file
-/// has others. Empty when it is not there.
+/// Size, time and inode of a file and of what counts with it (FileHashes): another file has others.
+/// Empty when it is not there.
 std::string stampOf(const std::filesystem::path& file);
 
 /// Hashes of files, each read once while this lives.
 class FileHashes {
  public:
-  /// A YAML of ROS map_server counts with its picture. Throws core::Error when it cannot be read.
+  /// A YAML of ROS map_server counts with its picture, a ROS recording that is a folder or its
+  /// metadata.yaml with all its parts. Throws core::Error when something cannot be read.
   const std::string& of(const std::filesystem::path& file);
 
  private:

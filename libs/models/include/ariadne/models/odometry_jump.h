@@ -13,7 +13,9 @@ class JumpDetector {
   /// Whether the way to this pose from the one before is a jump:
   ///  - over 1 m (3 m where no step is known yet), over 5 times the usual step and faster than 5
   ///  m/s,
-  ///  - the same from 0.5 m and 2 m/s on where it ends at (0, 0, 0), which is where a reset ends,
+  ///  - where it ends at (0, 0, 0), which is where a reset ends: over 0.5 m and 5 times the usual
+  ///  step, however long it took (where no step is known over 3 m and faster than 2 m/s); or over
+  ///  30 degrees and faster than 150 degrees/s,
   ///  - or over 100 degrees and faster than 450 degrees/s.
   /// The usual step is the median of the last 50 over 1 cm. No time, or one that is not positive,
   /// says nothing about speed: distance decides, turns are believed.

@@ -1,0 +1,44 @@
+#include "carmen_seam.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "carmen_line.h"
+
+namespace ariadne::io {
+namespace {
+
+// From one place a laser of 180 degrees may see the same to the left and to the right.
+constexpr float kElsewhere_m = 0.1F;
+constexpr std::size_t kFewest = 10;
+constexpr double kAsNeighbours = 0.8;
+
+bool isReading(float range) { return range > 0 && range < kCarmenMaxRange_m; }
+
+bool areAlike(float a, float b) { return std::abs(a - b) < 0.03F + 0.02F * std::min(a, b); }
+
+}  // namespace
+
+void CarmenSeam::add(const mrpt::obs::CObservation2DRangeScan& scan) {
+  const std::size_t size = scan.getScanSize();
+  if (size < 3) return;
+  const float first = scan.getScanRange(0), last = scan.getScanRange(size - 1);
+  if (!isReading(first) || !isReading(last) || std::abs(first - counted_m_) < kElsewhere_m) return;
+  counted_m_ = first;
+  ++scans_;
+  alike_ += areAlike(first, last) ? 1 : 0;
+  for (std::size_t i = 1; i < size; ++i) {
+    const float a = scan.getScanRange(i - 1), b = scan.getScanRange(i);
+    if (!isReading(a) || !isReading(b)) continue;
+    ++pairs_;
+    alike_pairs_ += areAlike(a, b) ? 1 : 0;
+  }
+}
+
+bool CarmenSeam::looksRound() const {
+  return scans_ >= kFewest &&
+         static_cast<double>(alike_) * static_cast<double>(pairs_) >=
+             kAsNeighbours * static_cast<double>(alike_pairs_) * static_cast<double>(scans_);
+}
+
+}  // namespace ariadne::io
