@@ -17,6 +17,7 @@ void readPicture(const Path& file);
 void readDrive(const Path& file);
 
 void readSlamIni(const Path& file);
+void readLogOrIni(const Path& file);
 void readLoopIni(const Path& file);
 void readExperimentIni(const Path& file);
 void readSettings(const Path& file);

@@ -25,6 +25,7 @@ const std::vector<Reader>& readers() {
                                           {"pgm", "in.pgm", readPicture},
                                           {"path", "in.path", readDrive},
                                           {"slam-ini", "in.ini", readSlamIni},
+                                          {"log-or-ini", "in.txt", readLogOrIni},
                                           {"loop-ini", "in.ini", readLoopIni},
                                           {"experiment-ini", "in.ini", readExperimentIni},
                                           {"set", "in.txt", readSettings},

@@ -5,6 +5,7 @@
 #include "ariadne/io/ini_fields.h"
 #include "ariadne/io/ini_text.h"
 #include "ariadne/io/ini_writer.h"
+#include "ariadne/io/log_or_ini.h"
 #include "ariadne/io/whole_file.h"
 #include "config.h"
 #include "parts.h"
@@ -18,6 +19,9 @@ void readSlamIni(const Path& file) {
   options.config_file = file.string();
   io::writeIni(slam_app::resolveConfig(options).config, "");
 }
+
+/// Whether ariadne-slam takes it for a log.
+void readLogOrIni(const Path& file) { io::looksLikeLog(file); }
 
 void readLoopIni(const Path& file) {
   experiment::LoopConfig config;
