@@ -8,7 +8,7 @@ using mrpt::math::TPoint2D;
 
 namespace {
 
-/// Ends of beams that are seen from (0.3, 0.2, 0): three of five on the walls of the room, the
+/// Ends of beams that are seen from (0.3, 0.2, 0): two of three on the walls of the room, the
 /// others in free space.
 std::vector<TPoint2D> mostlyOnWalls(std::size_t count) {
   const mrpt::math::TPose2D pose(0.3, 0.2, 0);
@@ -16,14 +16,14 @@ std::vector<TPoint2D> mostlyOnWalls(std::size_t count) {
   std::vector<TPoint2D> points;
   for (std::size_t i = 0; i < count; ++i) {
     const TPoint2D end = all[i * all.size() / count];
-    points.push_back(i % 5 < 3 ? end : end * 0.6);
+    points.push_back(i % 3 < 2 ? end : end * 0.6);
   }
   return points;
 }
 
 }  // namespace
 
-// 0.6 of 25 endpoints is what chance finds somewhere; of 180 it is not.
+// Two thirds of 25 endpoints is what chance finds somewhere; of 180 it is not.
 TEST(Recapture, OfFewEndpointsMoreIsAsked) {
   const slam::Recapture recapture({}, 8);
   filter::Particle particle;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "rawlog_objects.h"
+#include "scan_check.h"
 #include "text_fields.h"
 
 namespace ariadne::io {
@@ -76,14 +77,15 @@ class Reader {
 };
 
 void setRanges(mrpt::obs::CObservation2DRangeScan& scan, Reader& line, std::size_t count) {
-  scan.resizeScan(count);
+  std::vector<float> ranges(count);
+  std::vector<char> valid(count);
   for (std::size_t i = 0; i < count; ++i) {
     // Beyond a float's reach is beyond any laser's.
     const double word = line.number("range", false);
-    const auto range = static_cast<float>(std::isfinite(word) ? std::clamp(word, -1e9, 1e9) : word);
-    scan.setScanRange(i, range);
-    scan.setScanRangeValidity(i, range < scan.maxRange);
+    ranges[i] = static_cast<float>(std::isfinite(word) ? std::clamp(word, -1e9, 1e9) : word);
+    valid[i] = ranges[i] < scan.maxRange ? 1 : 0;
   }
+  setBeams(scan, ranges, valid);
 }
 
 /// Laser type to ranges and remissions. CARMEN's first releases wrote no remission mode (0 to 2),

@@ -43,11 +43,11 @@ bool NoReturnSurvey::isElsewhere(const mrpt::math::TPose2D& pose) {
   return std::hypot(pose.x - last_pose_.x, pose.y - last_pose_.y) >= kElsewhere_m;
 }
 
-void NoReturnSurvey::add(const models::SensorStep& step) {
+void NoReturnSurvey::add(const models::SensorStep& step, const std::vector<char>& called_valid) {
   if (!isElsewhere(step.odom_from_robot)) return;
   last_pose_ = step.odom_from_robot;
   header_mm_ = std::max(header_mm_, static_cast<std::int32_t>(step.scan->maxRange * 1000));
-  keep(surveyed(step));
+  keep(surveyed(step, called_valid));
 }
 
 void NoReturnSurvey::keep(SurveyedScan scan) {

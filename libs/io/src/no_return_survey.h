@@ -19,7 +19,8 @@ namespace ariadne::io {
 class NoReturnSurvey {
  public:
   /// Takes a scan in. One from where the last one was says nothing new and is passed over.
-  void add(const models::SensorStep& step);
+  /// `called_valid`: 1 for each beam that the file calls valid.
+  void add(const models::SensorStep& step, const std::vector<char>& called_valid);
   /// Looks for codes in what was added so far, if `now` or much is new since the last time.
   void judge(bool now);
   /// Readings at or over this are no return; infinite while no code is known. It only falls.

@@ -3,11 +3,15 @@
 #include <fmt/format.h>
 #include <mrpt/obs/CObservationOdometry.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <vector>
 
 #include "rawlog_by_mrpt.h"
 #include "rawlog_poses.h"
 #include "rawlog_versions.h"
+#include "scan_check.h"
 
 namespace ariadne::io {
 namespace {
@@ -72,13 +76,14 @@ LaserRecord readScan(ArchiveReader& in, const ObjectHeader& object) {
   if (version < 6) passCovariance(in);  // the pose's covariance
   const auto count = in.number<std::uint32_t>();
   if (count > kMostBeams) throw ArchiveDamage(fmt::format("a scan claims {} beams", count));
-  scan->resizeScan(count);
-  const char* ranges = in.bytes(count * sizeof(float));
-  if (count > 0) std::memcpy(&scan->getScanRange(0), ranges, count * sizeof(float));
-  const char* valid = version > 0 ? in.bytes(count) : nullptr;
-  for (std::uint32_t i = 0; i < count; ++i)
-    scan->setScanRangeValidity(
-        i, valid != nullptr ? valid[i] != 0 : scan->getScanRange(i) < scan->maxRange);
+  std::vector<float> ranges(count);
+  if (count > 0) std::memcpy(ranges.data(), in.bytes(count * sizeof(float)), count * sizeof(float));
+  std::vector<char> valid(count);
+  if (version > 0)
+    std::copy_n(in.bytes(count), count, valid.begin());
+  else
+    for (std::uint32_t i = 0; i < count; ++i) valid[i] = ranges[i] < scan->maxRange ? 1 : 0;
+  setBeams(*scan, ranges, valid);
   if (version >= 2) scan->stdError = in.number<float>();
   LaserRecord record;
   if (version >= 3) {

@@ -35,9 +35,10 @@ bool ReadySteps::wantsMore() const {
 }
 
 void ReadySteps::push(models::SensorStep step, double fraction) {
-  if (survey_wanted_) survey_.add(step);
-  beams_ += step.scan->getScanSize();
-  steps_.push_back({std::move(step), fraction});
+  std::vector<char> called_valid = validityOf(*step.scan);
+  if (survey_wanted_) survey_.add(step, called_valid);
+  beams_ += called_valid.size();
+  steps_.push_back({std::move(step), std::move(called_valid), fraction});
 }
 
 void ReadySteps::judge() {
@@ -55,7 +56,7 @@ std::optional<models::SensorStep> ReadySteps::pop() {
   steps_.pop_front();
   beams_ -= ready.step.scan->getScanSize();
   fraction_ = ready.fraction;
-  checkBeams(*ready.step.scan, limits_, counts_);
+  checkBeams(*ready.step.scan, ready.called_valid, limits_, counts_);
   ++counts_.steps;
   return std::move(ready.step);
 }

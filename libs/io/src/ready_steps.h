@@ -2,6 +2,7 @@
 #pragma once
 #include <deque>
 #include <optional>
+#include <vector>
 
 #include "ariadne/io/dataset.h"
 #include "no_return_survey.h"
@@ -27,6 +28,7 @@ class ReadySteps {
  private:
   struct Ready {
     models::SensorStep step;
+    std::vector<char> called_valid;  ///< its beams, by the file
     double fraction;
   };
   void judge();

@@ -47,8 +47,22 @@ bool repairGeometry(mrpt::obs::CObservation2DRangeScan& scan) {
          away < kFarthestLaser_m && isRotation(pose.getRotationMatrix());
 }
 
-void checkBeams(mrpt::obs::CObservation2DRangeScan& scan, const BeamLimits& limits,
-                DatasetCounts& counts) {
+void setBeams(mrpt::obs::CObservation2DRangeScan& scan, const std::vector<float>& ranges,
+              const std::vector<char>& valid) {
+  if (ranges.empty())
+    scan.resizeScan(0);
+  else
+    scan.loadFromVectors(ranges.size(), ranges.data(), valid.data());
+}
+
+std::vector<char> validityOf(const mrpt::obs::CObservation2DRangeScan& scan) {
+  std::vector<char> valid(scan.getScanSize());
+  for (std::size_t i = 0; i < valid.size(); ++i) valid[i] = scan.getScanRangeValidity(i) ? 1 : 0;
+  return valid;
+}
+
+void checkBeams(mrpt::obs::CObservation2DRangeScan& scan, const std::vector<char>& called_valid,
+                const BeamLimits& limits, DatasetCounts& counts) {
   const float own_max_m = scan.maxRange;
   if (limits.max_range_m > 0) scan.maxRange = limits.max_range_m;
   const float reach_m = std::min(scan.maxRange, limits.reach_m);
@@ -57,16 +71,16 @@ void checkBeams(mrpt::obs::CObservation2DRangeScan& scan, const BeamLimits& limi
   float* ranges = size > 0 ? &scan.getScanRange(0) : nullptr;
   for (std::size_t i = 0; i < size; ++i) {
     float& range = ranges[i];
-    const bool called_valid = scan.getScanRangeValidity(i);
+    const bool called = called_valid[i] != 0;
     // What lies beyond the file's own maximum is called invalid for that reason alone.
-    const bool believed = called_valid || range >= own_max_m;
+    const bool believed = called || range >= own_max_m;
     if (believed && range > 0 && range >= limits.min_range_m && range < reach_m) {
-      if (!called_valid) scan.setScanRangeValidity(i, true);
+      if (!called) scan.setScanRangeValidity(i, true);
       continue;
     }
-    scan.setScanRangeValidity(i, false);
+    if (called) scan.setScanRangeValidity(i, false);
     if (range >= reach_m) {
-      countNoReturn(range, own_max_m, called_valid, limits, counts);
+      countNoReturn(range, own_max_m, called, limits, counts);
       // Infinite is how ROS says "nothing there".
       range = std::isfinite(range) ? std::max(range, scan.maxRange) : scan.maxRange;
       continue;
@@ -77,7 +91,7 @@ void checkBeams(mrpt::obs::CObservation2DRangeScan& scan, const BeamLimits& limi
       ++counts.beams_negative;
     else if (range == 0)
       ++counts.beams_zero;
-    else if (called_valid)
+    else if (called)
       ++counts.beams_too_near;
     else
       ++counts.beams_flagged;

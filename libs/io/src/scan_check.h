@@ -1,6 +1,7 @@
 // Makes any scan keep StepSource's contract, or says that it cannot.
 #pragma once
 #include <limits>
+#include <vector>
 
 #include "ariadne/io/dataset.h"
 
@@ -21,8 +22,16 @@ struct BeamLimits {
   float reach_m = std::numeric_limits<float>::infinity();
 };
 
-/// Marks bad beams as StepSource promises, and counts them.
-void checkBeams(mrpt::obs::CObservation2DRangeScan& scan, const BeamLimits& limits,
-                DatasetCounts& counts);
+/// All beams at once; `valid` has 1 for those that the file calls valid.
+void setBeams(mrpt::obs::CObservation2DRangeScan& scan, const std::vector<float>& ranges,
+              const std::vector<char>& valid);
+
+/// 1 for each beam that the file calls valid. MRPT checks the index at each access, which takes
+/// longer than all that is done with a beam: so it is asked once.
+std::vector<char> validityOf(const mrpt::obs::CObservation2DRangeScan& scan);
+
+/// Marks bad beams as StepSource promises, and counts them. `called_valid` as validityOf() says.
+void checkBeams(mrpt::obs::CObservation2DRangeScan& scan, const std::vector<char>& called_valid,
+                const BeamLimits& limits, DatasetCounts& counts);
 
 }  // namespace ariadne::io

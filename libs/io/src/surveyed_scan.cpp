@@ -92,7 +92,7 @@ class Looking {
 
 }  // namespace
 
-SurveyedScan surveyed(const models::SensorStep& step) {
+SurveyedScan surveyed(const models::SensorStep& step, const std::vector<char>& called_valid) {
   const auto& scan = *step.scan;
   SurveyedScan out;
   const std::size_t size = scan.getScanSize();
@@ -101,13 +101,14 @@ SurveyedScan surveyed(const models::SensorStep& step) {
   out.first_rad = step.odom_from_robot.phi + scan.sensorPose.yaw() - side * scan.aperture / 2;
   out.ranges_mm.resize(size);
   const float limit_m = std::min(scan.maxRange, kFarthest_m);
-  // MRPT checks the index each time, which would cost more than all that is done here.
   const float* ranges = size > 0 ? &scan.getScanRange(0) : nullptr;
+  const char* valid = called_valid.data();
+  std::int32_t* ranges_mm = out.ranges_mm.data();
   for (std::size_t i = 0; i < size; ++i) {
     const float range = ranges[i];
     // NaN is not within either.
-    const bool within = range > 0 && range < limit_m && scan.getScanRangeValidity(i);
-    out.ranges_mm[i] = within ? static_cast<std::int32_t>(range * 1000 + 0.5F) : 0;
+    const bool within = (valid[i] != 0) & (range > 0) & (range < limit_m);
+    ranges_mm[i] = static_cast<std::int32_t>((within ? range : 0) * 1000 + 0.5F);
   }
   return out;
 }

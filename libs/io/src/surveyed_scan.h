@@ -17,7 +17,8 @@ struct SurveyedScan {
   double step_rad = 0;   ///< from beam to beam
 };
 
-SurveyedScan surveyed(const models::SensorStep& step);
+/// `called_valid`: 1 for each beam that the file calls valid.
+SurveyedScan surveyed(const models::SensorStep& step, const std::vector<char>& called_valid);
 
 /// Two codes of one log lie this near to each other, as do the roundings of one code.
 constexpr std::int32_t kMates_mm = 100;
