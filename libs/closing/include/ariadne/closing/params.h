@@ -31,10 +31,13 @@ void visitFields(V& v, ClosingParams& p) {
   visitFields(v, p.places);
   visitFields(v, p.opportunity);
   v.number("approach_limit_m", p.approach_limit_m, {0.1, 100000},
-           "an opportunity is given up when the robot has not come to its entry after so far");
+           "an opportunity is given up when the robot has driven this distance and has not come to "
+           "its entry");
   v.number("leave_after_m", p.leave_after_m, {0.1, 1000},
-           "the closing ends when the robot has been to no place of before for so far");
-  v.number("cooldown_m", p.cooldown_m, {0, 10000}, "no loop is looked for so far after a closing");
+           "the closing ends when the robot has driven this distance without coming to a place "
+           "that it knew before");
+  v.number("cooldown_m", p.cooldown_m, {0, 10000},
+           "no loop is looked for within this distance after a closing");
   v.flag("search", p.search,
          "look for the place where the loop should close, from metres away, and draw the way since "
          "given it; "
@@ -50,19 +53,20 @@ void visitFields(V& v, ClosingParams& p) {
                           {"path_end", Stop::path_end},
                           {"laps", Stop::laps},
                           {"never", Stop::never}},
-      "what else ends a closing: nothing; Neff constant (the paper's); no fall of Neff between "
-      "resamplings; the pose as certain as at the entry [19]; the loop's length driven; so many "
-      "laps; never does not end it on leaving either");
+      "what ends a closing besides leaving the loop: leaving: nothing; neff: Neff is constant (the "
+      "paper's rule); neff_slope: Neff does not fall between resamplings; uncertainty: the pose is "
+      "as certain as at the entry ([19] of the paper); path_end: the loop's length is driven; "
+      "laps: its length is driven this often. With never, leaving the loop does not end it either");
   v.number("arm_distance_m", p.arm_distance_m, {0, 100000},
-           "stop = uncertainty waits this far after the entry; the rules on Neff wait for their "
-           "window");
+           "stop = uncertainty waits for this distance after the entry; the rules on Neff wait for "
+           "their window");
   v.number("neff_window_m", p.neff_window_m, {0.1, 100000},
-           "Neff is judged over this far, all of it after the entry");
+           "Neff is judged over this distance, all of it after the entry");
   v.number("neff_change", p.neff_change, {0, 1},
            "Neff is constant when it changes by less than this share of N over the window");
   v.number("neff_slope_per_m", p.neff_slope_per_m, {0, 100},
-           "ln Neff is flat when it falls by less a metre, resamplings apart");
-  v.number("laps", p.laps, {1, 100000}, "of the loop, for stop = laps");
+           "ln Neff is flat when it falls by less than this per metre, resamplings left out");
+  v.number("laps", p.laps, {1, 100000}, "number of laps of the loop, for stop = laps");
 }
 
 /// Throws core::UsageError naming the key, also when c1_m >= c2_m.

@@ -40,11 +40,12 @@ using StopRule = std::function<bool(const ClosingCourse&)>;
 StopRule neffConstantFor(double window_m, double change);
 /// Fallback: over the last window_m, resamplings apart, ln Neff falls by less than slope_per_m.
 StopRule neffFallsLessThan(double slope_per_m, double window_m);
-/// [19]: the spread of the particles is back to what it was at te.
+/// [19] of the paper (doc/explanation/bibliography.md): the spread of the particles is back to what
+/// it was at te.
 StopRule uncertaintyBackToEntry();
 /// The loop's length has been driven `laps` times.
 StopRule loopDriven(double laps);
-/// `rule`, but not before so far after the entry.
+/// `rule`, but not before this distance after the entry.
 StopRule armedAfter(double distance_m, StopRule rule);
 StopRule never();
 

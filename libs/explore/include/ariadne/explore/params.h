@@ -36,9 +36,11 @@ inline core::Choices<Strategy> strategies() {
 
 template <class V>
 void visitFields(V& v, ExploreParams& p) {
-  v.choice("strategy", p.strategy, strategies(),
-           "what is done about loops: nothing; closed until the pose is as certain as at the entry "
-           "[19]; closed until Neff is constant; the same, and diversity recovered (the paper's)");
+  v.choice(
+      "strategy", p.strategy, strategies(),
+      "what is done about loops: frontier: nothing; active_uncertainty: a loop is closed until "
+      "the pose is as certain as at the entry ([19] of the paper); active_neff: until Neff is "
+      "constant; active_neff_recovery: the same, and diversity is recovered (the paper's)");
   v.choice("frontier_choice", p.frontier_choice,
            core::Choices<FrontierChoice>{{"nearest", FrontierChoice::nearest},
                                          {"utility", FrontierChoice::utility}},
@@ -48,18 +50,19 @@ void visitFields(V& v, ExploreParams& p) {
            "metres of way that a metre of frontier is worth, for frontier_choice = utility");
   v.number("robot_radius_m", p.robot_radius_m, {0.05, 2}, "the robot is a disc");
   v.number("clearance_m", p.clearance_m, {0, 2},
-           "planned ways keep so far from walls besides the radius");
+           "planned ways keep this distance from walls, besides the radius");
   v.number("preferred_clearance_m", p.preferred_clearance_m, {0, 5},
-           "and rather so far, for a longer way");
+           "and rather this distance, where a longer way allows it");
   v.number("planning_cell_m", p.planning_cell_m, {0.02, 1},
            "side of the planner's cells; a whole number of the map's is taken");
   v.number("speed_m_s", p.speed_m_s, {0.05, 5}, "speed on straights");
   v.number("turn_deg_s", p.turn_deg_s, {5, 360}, "fastest turn");
-  v.number("giveup", p.giveup, {1, 100}, "a goal is given up when the way to it was lost so often");
+  v.number("giveup", p.giveup, {1, 100},
+           "a goal is given up when the way to it was lost this often");
   v.number("max_laps", p.max_laps, {0.1, 1000},
-           "a loop is left after so many times its length, whatever the stopping rule says");
-  v.number("max_distance_m", p.max_distance_m, {1, 1e6}, "exploration ends after so much way");
-  v.number("max_time_s", p.max_time_s, {1, 1e7}, "or after so many seconds since the first scan");
+           "a loop is left after this many times its length, whatever the stopping rule says");
+  v.number("max_distance_m", p.max_distance_m, {1, 1e6}, "exploration ends after this much way");
+  v.number("max_time_s", p.max_time_s, {1, 1e7}, "or this many seconds after the first scan");
   v.flag("drive_home", p.drive_home, "drive back to the start when nothing is left to explore");
 }
 

@@ -41,7 +41,7 @@ void visitFields(V& v, FilterParams& p) {
       "weight_gain", p.weight_gain, {0.00001, 1000},
       "tempering of the scan's log likelihood in the weights: beams are not independent witnesses");
   v.number("new_ground_weight", p.new_ground_weight, {0, 1},
-           "a scan weighs so much where the robot was not before: its own map of a moment ago "
+           "a scan weighs this much where the robot was not before: its own map of a moment ago "
            "tells hypotheses apart by chance only; 1 is the plain filter");
   v.number("revisit_exponent", p.revisit_exponent, {0, 10},
            "the r-th revisit of a place weighs 1/r^exponent; 0 is the plain filter");

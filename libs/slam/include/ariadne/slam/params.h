@@ -20,13 +20,14 @@ struct UpdateParams {
 template <class V>
 void visitFields(V& v, UpdateParams& p) {
   v.number("update_distance_m", p.update_distance_m, {0, 100},
-           "the filter is updated each time the robot has travelled so far");
-  v.number("update_angle_deg", p.update_angle_deg, {0, 180}, "or has turned so far");
+           "the filter is updated each time the robot has travelled this distance");
+  v.number("update_angle_deg", p.update_angle_deg, {0, 180}, "or has turned by this angle");
   v.number("least_returns", p.least_returns, {0, 1},
            "but only by a scan of which this share of the beams returned within [grid] "
            "insert_range_m; where nothing is seen the pose follows the odometry");
   v.number("checkpoint_updates", p.checkpoint_updates, {1, 100000},
-           "every particle keeps its map as of every so many updates (copy-on-write)");
+           "each time after this many updates every particle keeps its map as it is then "
+           "(copy-on-write)");
 }
 
 struct SlamParams {

@@ -18,8 +18,9 @@ struct OpportunityParams {
 
 template <class V>
 void visitFields(V& v, PlaceParams& p) {
-  v.number("place_spacing_m", p.place_spacing_m, {0.1, 100},
-           "a place is made when the robot has travelled so far since the last one it was at");
+  v.number(
+      "place_spacing_m", p.place_spacing_m, {0.1, 100},
+      "a place is made when the robot has travelled this distance since the last place it was at");
   v.number("place_range_m", p.place_range_m, {0.1, 100},
            "or when none is in line of sight within this distance");
   v.number("visit_radius_m", p.visit_radius_m, {0.05, 100},
