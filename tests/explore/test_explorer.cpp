@@ -31,7 +31,7 @@ struct Room {
                                const mrpt::obs::CObservation2DRangeScan::Ptr& scan,
                                bool touched = false) {
     mapper.process({time_s, pose, scan});
-    return explorer.step({time_s, mapper, *scan, touched});
+    return explorer.step(explore::beliefOf(mapper, time_s, *scan, touched));
   }
   /// Turned about once, and carried along a line while it does.
   double lookAround(const TPose2D& from, const TPose2D& to) {

@@ -72,7 +72,8 @@ MissionRecord Mission::run(const MissionListener& listener) {
     record.steps.push_back(senses.next(truth, *drive.robot().scan()));
     const models::SensorStep& step = record.steps.back();
     const auto report = mapper_.process(step);
-    const auto command = explorer_.step({step.time_s, mapper_, *step.scan, touched});
+    const auto command =
+        explorer_.step(explore::beliefOf(mapper_, step.time_s, *step.scan, touched));
     if (report) {
       record.reports.push_back(*report);
       if (listener && !listener(*report, explorer_)) break;

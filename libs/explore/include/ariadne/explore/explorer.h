@@ -1,26 +1,17 @@
 // The robot that decides for itself where to go (section IV): to frontiers, and, where an active
 // strategy is set, back to the entry of a loop and through it before that. It knows what the
 // filter believes and what its sensors say, and nothing else: this library does not link the
-// simulator.
+// simulator. Where to go is the goals' word (loop_goal.h, frontier_goal.h, home_goal.h); here is
+// when they are asked, and what the robot does in between.
 #pragma once
-#include <functional>
-
-#include "ariadne/explore/decision.h"
-#include "ariadne/explore/frontiers.h"
-#include "ariadne/explore/left_loops.h"
-#include "ariadne/explore/loop_route.h"
+#include "ariadne/explore/believed_way.h"
+#include "ariadne/explore/bumper.h"
+#include "ariadne/explore/frontier_goal.h"
+#include "ariadne/explore/home_goal.h"
+#include "ariadne/explore/loop_goal.h"
 #include "ariadne/explore/route_follower.h"
-#include "ariadne/slam/mapper.h"
 
 namespace ariadne::explore {
-
-/// What the robot knows after a scan.
-struct Belief {
-  double time_s = 0;                               ///< of the scan, from any moment on
-  const slam::Mapper& mapper;                      ///< has processed the scan
-  const mrpt::obs::CObservation2DRangeScan& scan;  ///< the latest
-  bool touched = false;                            ///< the bumper's word since the last scan
-};
 
 class Explorer {
  public:
@@ -33,14 +24,14 @@ class Explorer {
   bool done() const { return mode_ == Mode::done; }
   /// Why it ended; empty before.
   const std::string& endReason() const { return end_reason_; }
-  const std::vector<Decision>& decisions() const { return decisions_; }
+  const std::vector<Decision>& decisions() const { return log_.decisions(); }
   /// What it is doing, in words.
   std::string doing() const;
   const Route& route() const { return follower_.route(); }
   /// All frontiers as of the last decision.
-  const std::vector<Frontier>& frontiers() const { return frontiers_; }
+  const std::vector<Frontier>& frontiers() const { return frontier_goal_.frontiers(); }
   /// Way that the filter believes to have driven, m.
-  double travelled_m() const { return travelled_m_; }
+  double travelled_m() const { return way_.travelled_m(); }
   /// CPU time of the slowest decision, s.
   double slowestDecision_s() const { return slowest_s_; }
   /// CPU time of all decisions, s.
@@ -48,54 +39,41 @@ class Explorer {
 
  private:
   enum class Mode { looking_around, driving, facing, backing_off, done };
-  enum class Goal { none, frontier, entry, loop, home };
 
   void decide(const Belief& belief);
-  bool decideLoop(const Belief& belief, const Planner& planner);
-  bool approachEntry(const Belief& belief, const Planner& planner, const closing::Closing& loop);
-  bool followLoop(const Belief& belief, const Planner& planner, const closing::Closing& loop);
-  void decideFrontier(const Belief& belief, const Planner& planner);
-  void decideHome(const Belief& belief, const Planner& planner);
+  Answer ask(const Question& question);
+  bool mustDecide(const Belief& belief);
+  bool routeStands(const Belief& belief) const;
   models::VelocityCommand act(const Belief& belief);
-  models::VelocityCommand drive(const Belief& belief);
-  models::VelocityCommand face(const Belief& belief);
   models::VelocityCommand lookAround(const Belief& belief);
+  models::VelocityCommand drive(const Belief& belief);
+  models::VelocityCommand arrive(const Belief& belief);
+  void blocked(const Belief& belief);
+  models::VelocityCommand face(const Belief& belief);
   models::VelocityCommand backOff(const Belief& belief);
   void touch(const Belief& belief);
   void giveUp(const Belief& belief, const std::string& why);
-  void failTarget(const std::string& why);
-  void leave(const Belief& belief, const closing::Closing& loop, const std::string& why);
+  void go(Destination where);
   models::VelocityCommand end(const Belief& belief, const std::string& reason);
-  void go(Goal goal, const mrpt::math::TPoint2D& target, Route route);
-  Decision& note(const Belief& belief, DecisionKind kind, const std::string& text);
-  bool reconsiders(const Belief& belief);
-  bool goalStands(const Belief& belief) const;
 
   ExploreParams params_;
+  FrontierGoal frontier_goal_;
+  LoopGoal loop_goal_;
+  HomeGoal home_goal_;
   RouteFollower follower_;
+  Bumper bumper_;
+  BelievedWay way_;
+  Logbook log_;
   Mode mode_ = Mode::looking_around;
-  Goal goal_ = Goal::none;
-  mrpt::math::TPoint2D target_;  // of the goal, map frame
+  Heading heading_;
   std::string end_reason_;
-  std::vector<Decision> decisions_;
-  std::vector<Frontier> frontiers_;
-  std::vector<FailedTarget> failed_;
-  std::vector<mrpt::math::TPoint2D> touched_at_;  // map frame
-  LeftLoops left_;
-  std::optional<LoopRoute> loop_route_;
-  std::size_t followed_ = 0;                   // the closing that loop_route_ is of
-  std::size_t loop_name_ = 0;                  // that the robot drives to or follows
-  std::optional<mrpt::math::TPose2D> before_;  // pose at the last step
-  std::optional<double> started_s_;            // time of the first scan
-  double travelled_m_ = 0;
-  double turned_ = 0;  // rad, in the present look around
+  std::optional<double> started_s_;  // time of the first scan
   double mode_since_s_ = 0;
   double decided_at_s_ = 0;
   double checked_at_m_ = 0;
   double checked_at_s_ = 0;
   std::size_t updates_ = 0;  // of the filter, at the last step
   int lost_ = 0;             // how often in a row the way to the goal was lost
-  int touches_ = 0;
   double slowest_s_ = 0;
   double decisions_s_ = 0;
 };

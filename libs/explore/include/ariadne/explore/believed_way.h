@@ -1,0 +1,34 @@
+// How far the filter believes that the robot has gone and turned.
+#pragma once
+#include <mrpt/math/TPose2D.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace ariadne::explore {
+
+class BelievedWay {
+ public:
+  /// @param most_m that the robot can go between two scans: a jump of the belief is no way
+  explicit BelievedWay(double most_m) : most_m_(most_m) {}
+
+  void add(const mrpt::math::TPose2D& map_from_robot) {
+    if (before_) {
+      travelled_m_ += std::min(
+          std::hypot(map_from_robot.x - before_->x, map_from_robot.y - before_->y), most_m_);
+      turned_rad_ += std::abs(std::remainder(map_from_robot.phi - before_->phi, 2 * M_PI));
+    }
+    before_ = map_from_robot;
+  }
+  double travelled_m() const { return travelled_m_; }
+  double turned_rad() const { return turned_rad_; }
+
+ private:
+  double most_m_;
+  std::optional<mrpt::math::TPose2D> before_;
+  double travelled_m_ = 0;
+  double turned_rad_ = 0;
+};
+
+}  // namespace ariadne::explore
