@@ -16,7 +16,7 @@ function(ariadne_add_library name)
   install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endfunction()
 
-# Warnings, sanitizers and clang-tidy, for everything that is ours.
+# Warnings, sanitizers, clang-tidy and ARIADNE_UNITY, for everything that is ours.
 function(ariadne_set_options target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wnon-virtual-dtor)
   if(ARIADNE_WERROR)
@@ -25,6 +25,34 @@ function(ariadne_set_options target)
   if(ARIADNE_TIDY)
     set_target_properties(${target} PROPERTIES CXX_CLANG_TIDY clang-tidy)
   endif()
+  if(ARIADNE_UNITY)
+    ariadne_compile_together(${target})
+  endif()
+endfunction()
+
+# One file that includes all of the target's. CMake's own UNITY_BUILD includes them by absolute paths, which
+# __FILE__ then holds, and another clone's compilation is none for ccache.
+function(ariadne_compile_together target)
+  get_target_property(sources ${target} SOURCES)
+  set(includes "")
+  set(apart ${CMAKE_CURRENT_BINARY_DIR}/${target}_together.cpp)
+  foreach(source IN LISTS sources)
+    if(IS_ABSOLUTE "${source}")  # a generated one
+      list(APPEND apart ${source})
+    else()
+      file(RELATIVE_PATH path ${CMAKE_CURRENT_BINARY_DIR} ${CMAKE_CURRENT_SOURCE_DIR}/${source})
+      string(APPEND includes "#include \"${path}\"\n")
+    endif()
+  endforeach()
+  file(CONFIGURE OUTPUT ${target}_together.cpp CONTENT "${includes}" @ONLY)
+  set_target_properties(${target} PROPERTIES SOURCES "${apart}")
+  # Every file is an included one, so that GCC takes its unnamed namespaces for a header's.
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+endfunction()
+
+# For code whose time nobody waits for: half of the compiler's work. The last -O counts.
+function(ariadne_optimise_little target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
 # ariadne_add_app(NAME SOURCES ... DEPENDS ...): a program in build/<preset>/bin.
@@ -43,6 +71,7 @@ function(ariadne_add_test name)
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_DEPENDS} GTest::gtest_main)
   ariadne_set_options(${name})
+  ariadne_optimise_little(${name})
   ariadne_start_fast(${name})
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300
     ENVIRONMENT "ARIADNE_SOURCE_DIR=${CMAKE_SOURCE_DIR};ARIADNE_BIN_DIR=${CMAKE_BINARY_DIR}/bin;LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/cmake/lsan.supp;TSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/cmake/tsan.supp")

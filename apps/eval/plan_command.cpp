@@ -24,7 +24,7 @@ constexpr const char* kExamples =
     "  ariadne-eval plan 0.40 0.93 --paired --only-first 0.05\n"
     "Exit code: 0 fine, 2 wrong use.";
 
-struct Arguments {
+struct PlanArguments {
   double p1 = 0;
   double p2 = 0;
   eval::PlanGoal goal;
@@ -33,7 +33,7 @@ struct Arguments {
   bool json = false;
 };
 
-void declare(CLI::App& app, Arguments& a) {
+void declare(CLI::App& app, PlanArguments& a) {
   app.footer(kExamples);
   app.add_option("RATE1", a.p1, "success rate of the first arm, 0 to 1")->required();
   app.add_option("RATE2", a.p2, "of the second")->required();
@@ -48,7 +48,7 @@ void declare(CLI::App& app, Arguments& a) {
   app.add_flag("--json", a.json, "as JSON");
 }
 
-void check(const Arguments& a) {
+void check(const PlanArguments& a) {
   for (const double p : {a.p1, a.p2})
     if (!(p >= 0 && p <= 1))
       throw core::UsageError(fmt::format("a rate of {} is not in [0, 1]", p));
@@ -60,7 +60,7 @@ struct Discordant {
   double second = 0;
 };
 
-Discordant discordantOf(const Arguments& a) {
+Discordant discordantOf(const PlanArguments& a) {
   // Each of first, second, both (p1 - first) and none (1 - second - p1) is a probability.
   const double least = std::max(0.0, a.p1 - a.p2);
   const double most = std::min(a.p1, 1 - a.p2);
@@ -81,7 +81,7 @@ std::string powerText(const eval::Plan& plan) {
 
 int runPlan(const std::vector<std::string>& args, std::ostream& out) {
   CLI::App app(kAbout, "ariadne-eval plan");
-  Arguments a;
+  PlanArguments a;
   declare(app, a);
   if (!app::parseCommandLine(app, args, out)) return 0;
   check(a);

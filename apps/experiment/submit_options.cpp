@@ -7,7 +7,7 @@
 namespace ariadne::experiment_app {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kSubmitFooter =
     "FOLDER and the programs must lie where all machines see them under the same path.\n"
     "Called again, it hands out what has no result and is in no living task of Slurm's.\n"
     "More: doc/howto/cluster.md. Examples:\n"
@@ -27,7 +27,7 @@ const std::map<std::string, Engine>& engines() {
 
 CLI::App* addSubmit(CLI::App& app, Options& o) {
   CLI::App* sub = app.add_subcommand("submit", "Hand the runs without a result to a cluster");
-  sub->footer(kFooter);
+  sub->footer(kSubmitFooter);
   sub->add_option("EXPERIMENT", o.ini, "INI of the experiment")->required();
   sub->add_option("--out", o.folder, "results folder, shared by all machines")->required();
   sub->add_option("--engine", o.engine, "slurm (default) or parallel")->transform(oneOf(engines()));

@@ -4,17 +4,11 @@
 #include <optional>
 
 #include "ariadne/models/scan_odometry.h"
+#include "seconds_since.h"
 
 namespace ariadne::slam_app {
-namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-}  // namespace
 
 MappingRecord mapSteps(io::StepSource& source, slam::Mapper& mapper, const SlamConfig& config,
                        const Interrupt& interrupt, Progress& progress,

@@ -15,6 +15,7 @@
 #include "ariadne/report/report_page.h"
 #include "loop_pictures.h"
 #include "loops_json.h"
+#include "seconds_since.h"
 #include "steps_csv.h"
 
 namespace ariadne::slam_app {
@@ -118,10 +119,6 @@ void checkNotEmpty(const Grid& map) {
   throw core::Error(
       "the map is empty: no beam of any scan could be inserted (see the warnings above, and "
       "[grid] insert_range_m)");
-}
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 }  // namespace

@@ -59,15 +59,15 @@ void forEachSection(C& c, F&& f) {
   f("others", c.others);
 }
 
-Config read(const std::string& text) {
+Config readConfig(const std::string& text) {
   Config config;
   applyIni(config, ariadne::io::parseIni(text, "a.ini", IniDialect::strict));
   return config;
 }
 
-std::string complaint(const std::string& text) {
+std::string fieldComplaint(const std::string& text) {
   try {
-    read(text);
+    readConfig(text);
   } catch (const UsageError& e) {
     return e.what();
   }
@@ -78,7 +78,7 @@ std::string complaint(const std::string& text) {
 
 TEST(IniFields, SetsWhatIsNamedAndLeavesTheRest) {
   const Config c =
-      read("[things]\ncount = 7\nquick = on\nname = a b\ncolour = green\nshare=+.25\n");
+      readConfig("[things]\ncount = 7\nquick = on\nname = a b\ncolour = green\nshare=+.25\n");
   EXPECT_EQ(c.things.count, 7);
   EXPECT_TRUE(c.things.quick);
   EXPECT_EQ(c.things.name, "a b");
@@ -112,7 +112,7 @@ TEST(IniFields, SaysWhatWouldBeRight) {
       {"[things]\ncolour = gren\n",
        "a.ini:2: [things] colour = gren: it takes one of red, green; the nearest is \"green\""}};
   for (const auto& [text, expected] : cases)
-    EXPECT_EQ(complaint(text).substr(0, expected.size()), expected);
+    EXPECT_EQ(fieldComplaint(text).substr(0, expected.size()), expected);
 }
 
 TEST(IniFields, SettingsSayThatTheyAre) {
@@ -140,7 +140,7 @@ TEST(IniWriter, ReadsBackToTheSameBits) {
     c.things.quick = random.bits() % 2 != 0;
     for (int i = 0; i < 8; ++i) c.things.name += "ab ;#/\\=[]'\t "[random.bits() % 13];
     c.things.colour = random.bits() % 2 != 0 ? Colour::green : Colour::red;
-    const Config back = read(ariadne::io::writeIni(c, "header\nof two lines"));
+    const Config back = readConfig(ariadne::io::writeIni(c, "header\nof two lines"));
     EXPECT_EQ(std::memcmp(&back.things.share, &c.things.share, 8), 0);
     EXPECT_EQ(std::memcmp(&back.things.anything, &c.things.anything, 8), 0);
     EXPECT_EQ(back.things.count, c.things.count);

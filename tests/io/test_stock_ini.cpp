@@ -26,7 +26,7 @@ StockIni stock(const std::string& keys) {
   return readStockIni("[MappingApplication]\n" + keys, "/tmp/a.ini");
 }
 
-std::string complaint(const std::string& keys) {
+std::string stockComplaint(const std::string& keys) {
   try {
     stock(keys);
   } catch (const core::UsageError& e) {
@@ -142,7 +142,7 @@ TEST(StockIni, RubbishIsAnErrorWithItsPlace) {
        "a.ini:3: [M_occupancyGrid_00_insertOpts] maxOccupancyUpdateCertainty = 60: it takes a pr"},
       {"localizeLinDistance = -3\n", "[update] update_distance_m = -3 is out of bounds"}};
   for (const auto& [keys, expected] : cases)
-    EXPECT_EQ(complaint(keys).substr(0, expected.size()), expected);
+    EXPECT_EQ(stockComplaint(keys).substr(0, expected.size()), expected);
 }
 
 TEST(StockIni, UpdatesAtTheShorterOfTheTwoDistances) {

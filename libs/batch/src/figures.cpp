@@ -16,9 +16,9 @@
 namespace ariadne::batch {
 namespace {
 
-using nlohmann::json;
+using PlainJson = nlohmann::json;
 
-void collect(const json& at, const std::string& name, int depth, Figures& figures) {
+void collect(const PlainJson& at, const std::string& name, int depth, Figures& figures) {
   if (depth > 100) throw core::Error("the JSON is nested deeper than 100");  // the stack has an end
   if (at.is_boolean())
     figures[name] = at.get<bool>() ? 1 : 0;
@@ -53,9 +53,9 @@ double ateOf(const std::filesystem::path& trajectory, const std::string& truth) 
 Figures figuresOfSummary(const std::string& text, const std::string& name) {
   try {
     Figures figures;
-    collect(json::parse(text), "", 0, figures);
+    collect(PlainJson::parse(text), "", 0, figures);
     return figures;
-  } catch (const json::exception& e) {
+  } catch (const PlainJson::exception& e) {
     throw core::Error(fmt::format("{} is no JSON: {}", name, e.what()));
   }
 }

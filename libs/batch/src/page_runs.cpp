@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
 constexpr std::size_t kMostFailed = 1000000;
-constexpr std::size_t kMostRuns = 3500000;
+constexpr std::size_t kMostRunsShown = 3500000;
 
 Words headerOf(const Plan& plan) {
   Words header = {"seed", "result"};
@@ -95,7 +95,7 @@ std::string runsHtml(const Outcome& o, const Store& store) {
   std::map<std::pair<Words, std::size_t>, std::vector<const PlannedRun*>> groups;
   for (const PlannedRun& run : o.plan.runs) groups[{run.values, run.arm}].push_back(&run);
   std::string text;
-  std::size_t left = kMostRuns;
+  std::size_t left = kMostRunsShown;
   std::size_t left_out = 0;
   for (const Cell& cell : o.cells) {
     std::string rows;
@@ -110,7 +110,7 @@ std::string runsHtml(const Outcome& o, const Store& store) {
     text += htmlDetails(fmt::format("{}: {} of {} finished, {} failed", name, cell.finished,
                                     cell.planned, cell.failed),
                         htmlTable("Runs of " + name, headerOf(o.plan), rows));
-    left = kMostRuns - std::min(text.size(), kMostRuns);
+    left = kMostRunsShown - std::min(text.size(), kMostRunsShown);
   }
   return text + leftOutHtml(left_out, "runs", "the folder runs");
 }

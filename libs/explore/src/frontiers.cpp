@@ -4,14 +4,14 @@
 #include <array>
 #include <cmath>
 
+#include "distances.h"
+
 namespace ariadne::explore {
 namespace {
 
 using mrpt::math::TPoint2D;
 
 constexpr double kFailedRadius_m = 0.6;
-
-double distance(const TPoint2D& a, const TPoint2D& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 /// Nearer to a wall than its radius the robot's centre cannot pass; and there the wall itself has
 /// gaps where beams grazed it.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "distances.h"
+
 namespace ariadne::explore {
 namespace {
 
@@ -19,10 +21,6 @@ constexpr double kEndTurn = 10 * kDegree;
 constexpr double kTurnGain = 1.5;   // rad/s per rad: stable at five commands a second
 constexpr double kBrakeGain = 1.5;  // m/s per m before the end
 constexpr double kSlowest_m_s = 0.1;
-
-double distance(const TPoint2D& p, const TPose2D& robot) {
-  return std::hypot(p.x - robot.x, p.y - robot.y);
-}
 
 double errorTo(const TPoint2D& p, const TPose2D& robot) {
   return std::remainder(std::atan2(p.y - robot.y, p.x - robot.x) - robot.phi, 2 * M_PI);

@@ -5,7 +5,7 @@ namespace ariadne::grid {
 namespace {
 
 /// Buffers that a thread keeps from map to map.
-struct Scratch {
+struct ManyScratch {
   std::vector<CellsFromRobot> places;
   ScanRaster raster;
   ScanBatch batch;
@@ -15,7 +15,7 @@ struct Scratch {
 }  // namespace
 
 void OccupancyGrid::insertMany(const std::vector<PlacedScan>& scans) {
-  static thread_local Scratch scratch;
+  static thread_local ManyScratch scratch;
   scratch.places.clear();
   for (const PlacedScan& scan : scans)
     scratch.places.emplace_back(scan.map_from_robot, origin_, resolution_);

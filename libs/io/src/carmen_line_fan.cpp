@@ -8,8 +8,8 @@
 namespace ariadne::io {
 namespace {
 
-constexpr double kDegree = M_PI / 180;
-constexpr double kWidest_rad = kWidestFan_deg * kDegree;
+constexpr double kDegree_rad = M_PI / 180;
+constexpr double kWidest_rad = kWidestFan_deg * kDegree_rad;
 
 /// The largest angle that the line names.
 double widest(const CarmenLineFan& line, double gaps) {
@@ -30,7 +30,7 @@ bool isCentred(double start, double span, double step) {
 double stepOfField(const CarmenLineFan& line, std::size_t count) {
   const auto gaps = static_cast<double>(count) - 1;
   // The field may or may not count the missing left end of an even number of beams.
-  const CarmenFan round = fanOfField(std::abs(line.field) / kDegree, count);
+  const CarmenFan round = fanOfField(std::abs(line.field) / kDegree_rad, count);
   const double step =
       std::abs(std::abs(round.start_rad) - std::abs(line.start)) < 1e-3 || line.start == 0
           ? round.step_rad
@@ -50,7 +50,7 @@ LineFanReading readLineFan(const CarmenLineFan& line, std::size_t count) {
   CarmenLineFan fan = line;
   if (fan.step == 0 && fan.field == 0) return out;
   if (widest(fan, gaps) > kWidest_rad) {
-    fan = {fan.start * kDegree, fan.field * kDegree, fan.step * kDegree};
+    fan = {fan.start * kDegree_rad, fan.field * kDegree_rad, fan.step * kDegree_rad};
     out.remark = fmt::format("{} are taken for degrees", asText(line));
     if (widest(fan, gaps) > kWidest_rad) {
       out.remark = fmt::format("{} are impossible for {} beams", asText(line), count);

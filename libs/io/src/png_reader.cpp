@@ -15,35 +15,35 @@ namespace {
   throw core::Error(fmt::format("it is damaged: {}", message));
 }
 
-void ignore(png_structp, png_const_charp) {}  // an error follows where it matters
+void ignoreWarning(png_structp, png_const_charp) {}  // an error follows where it matters
 
-struct Source {
+struct PngSource {
   const std::string& bytes;
   std::size_t at = 0;
 };
 
 void take(png_structp png, png_bytep to, png_size_t count) {
-  auto& source = *static_cast<Source*>(png_get_io_ptr(png));
+  auto& source = *static_cast<PngSource*>(png_get_io_ptr(png));
   if (source.bytes.size() - source.at < count) fail(png, "it ends early");
   std::memcpy(to, source.bytes.data() + source.at, count);
   source.at += count;
 }
 
-struct Reader {
-  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, ignore);
+struct PngReader {
+  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, ignoreWarning);
   png_infop info = png ? png_create_info_struct(png) : nullptr;
-  Reader() = default;
-  Reader(const Reader&) = delete;
-  Reader& operator=(const Reader&) = delete;
-  ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+  PngReader() = default;
+  PngReader(const PngReader&) = delete;
+  PngReader& operator=(const PngReader&) = delete;
+  ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
 };
 
 }  // namespace
 
 PicturePixels decodePng(const std::string& bytes) {
-  Reader r;
+  PngReader r;
   if (!r.info) throw core::Error("out of memory");
-  Source source{bytes};
+  PngSource source{bytes};
   png_set_read_fn(r.png, &source, take);
   png_read_info(r.png, r.info);
   png_set_expand(r.png);  // palettes, bits and transparent colours become bytes a channel

@@ -18,9 +18,9 @@ namespace {
 
 using mrpt::math::TPose2D;
 
-constexpr std::uint32_t kMostBeams = 100'000;
+constexpr std::uint32_t kMostRawlogBeams = 100'000;
 constexpr std::int64_t kTicksTo1970 = 116'444'736'000'000'000;
-constexpr long double kLatest_s = 1e11L;
+constexpr long double kLatestTick_s = 1e11L;
 
 }  // namespace
 
@@ -29,7 +29,7 @@ std::optional<double> secondsOfTicks(std::int64_t ticks) {
   // A double has no room for today's ticks; and mrpt::Clock::toDouble wraps before 1970.
   const long double time_s =
       (static_cast<long double>(ticks) - static_cast<long double>(kTicksTo1970)) / 1e7L;
-  if (std::abs(time_s) > kLatest_s) return std::nullopt;
+  if (std::abs(time_s) > kLatestTick_s) return std::nullopt;
   return static_cast<double>(time_s);
 }
 
@@ -75,7 +75,7 @@ LaserRecord readScan(ArchiveReader& in, const ObjectHeader& object) {
   scan->sensorPose = readPose3D(in);
   if (version < 6) passCovariance(in);  // the pose's covariance
   const auto count = in.number<std::uint32_t>();
-  if (count > kMostBeams) throw ArchiveDamage(fmt::format("a scan claims {} beams", count));
+  if (count > kMostRawlogBeams) throw ArchiveDamage(fmt::format("a scan claims {} beams", count));
   std::vector<float> ranges(count);
   if (count > 0) std::memcpy(ranges.data(), in.bytes(count * sizeof(float)), count * sizeof(float));
   std::vector<char> valid(count);

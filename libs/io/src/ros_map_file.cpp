@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kFarthest_m = 1e5;
+constexpr double kFarthestOrigin_m = 1e5;
 constexpr double kWholeTurn = 6.2832;  // what is more is meant in degrees
 
 fs::path pictureIn(const YamlValue& document, const fs::path& yaml) {
@@ -40,7 +40,8 @@ mrpt::math::TPose2D originIn(const YamlValue& document) {
         fmt::format("{} values; takes 3, x and y in m and yaw in rad, as in "
                     "[-10.0, -10.0, 0.0]",
                     origin.size()));
-  return {origin[0].number(-kFarthest_m, kFarthest_m), origin[1].number(-kFarthest_m, kFarthest_m),
+  return {origin[0].number(-kFarthestOrigin_m, kFarthestOrigin_m),
+          origin[1].number(-kFarthestOrigin_m, kFarthestOrigin_m),
           std::remainder(origin[2].number(-kWholeTurn, kWholeTurn), 2 * M_PI)};
 }
 

@@ -7,7 +7,7 @@ namespace ariadne::io {
 namespace {
 
 constexpr double kFlat_rad = 5 * M_PI / 180;
-constexpr double kFarthestLaser_m = 100;
+constexpr double kFarthestMount_m = 100;
 
 bool isRotation(const mrpt::math::CMatrixDouble33& r) {
   for (int i = 0; i < 3; ++i)
@@ -44,7 +44,7 @@ bool repairGeometry(mrpt::obs::CObservation2DRangeScan& scan) {
   const double away = std::abs(pose.x()) + std::abs(pose.y()) + std::abs(pose.z());
   // A turn and a bit: some drivers repeat the first beam at the end.
   return scan.getScanSize() >= 2 && scan.aperture > 0 && scan.aperture < 2.1 * M_PI &&
-         away < kFarthestLaser_m && isRotation(pose.getRotationMatrix());
+         away < kFarthestMount_m && isRotation(pose.getRotationMatrix());
 }
 
 void setBeams(mrpt::obs::CObservation2DRangeScan& scan, const std::vector<float>& ranges,

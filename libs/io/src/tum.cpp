@@ -14,8 +14,8 @@
 namespace ariadne::io {
 namespace {
 
-constexpr double kLatest_s = 1e11;  // the year 5138; nanoseconds since 1970 are beyond it
-constexpr double kFarthest_m = 1e8;
+constexpr double kLatestTum_s = 1e11;  // the year 5138; nanoseconds since 1970 are beyond it
+constexpr double kFarthestTum_m = 1e8;
 
 /// The pose of a line's words; on failure `problem` says what is wrong.
 bool parsePose(const std::vector<std::string_view>& words, models::StampedPose& out,
@@ -35,9 +35,9 @@ bool parsePose(const std::vector<std::string_view>& words, models::StampedPose& 
   }
   const auto [t, x, y, z, qx, qy, qz, qw] = v;
   const double largest = std::max({std::abs(qx), std::abs(qy), std::abs(qz), std::abs(qw)});
-  if (std::abs(t) > kLatest_s) problem = fmt::format("time {} (seconds since 1970?)", words[0]);
-  if (std::max({std::abs(x), std::abs(y), std::abs(z)}) > kFarthest_m)
-    problem = fmt::format("a place over {:g} m away", kFarthest_m);
+  if (std::abs(t) > kLatestTum_s) problem = fmt::format("time {} (seconds since 1970?)", words[0]);
+  if (std::max({std::abs(x), std::abs(y), std::abs(z)}) > kFarthestTum_m)
+    problem = fmt::format("a place over {:g} m away", kFarthestTum_m);
   if (largest < 1e-6 || largest > 1e6) problem = "a quaternion that is no rotation";
   if (!problem.empty()) return false;
   // Yaw of a quaternion of any length.

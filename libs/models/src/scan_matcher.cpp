@@ -18,7 +18,7 @@ Eigen::Vector3d difference(const TPose2D& a, const TPose2D& b) {
   return {a.x - b.x, a.y - b.y, std::remainder(a.phi - b.phi, 2 * M_PI)};
 }
 
-TPose2D moved(const TPose2D& pose, const Eigen::Vector3d& by) {
+TPose2D added(const TPose2D& pose, const Eigen::Vector3d& by) {
   return {pose.x + by[0], pose.y + by[1], pose.phi + by[2]};
 }
 
@@ -106,7 +106,7 @@ ScanMatcher::Candidate ScanMatcher::climb(const Problem& problem, Candidate at) 
     step /= longest;
     bool better = false;
     for (int halvings = 0; halvings < 3 && !better; ++halvings, step *= 0.35) {
-      Candidate next = linearised<Candidate>(problem, moved(at.pose, step));
+      Candidate next = linearised<Candidate>(problem, added(at.pose, step));
       better = next.cost < at.cost;
       if (better) at = std::move(next);
     }

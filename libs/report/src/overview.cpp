@@ -58,18 +58,18 @@ double lengthOf(const models::Trajectory& path) {
 
 /// Start, colours from start to end, end; from x on, on the footer's line.
 void drawLegend(MapPicture& picture, double x, double seconds) {
-  constexpr int kWidth = 96;
+  constexpr int kBarWidth = 96;
   cairo_t* cr = picture.context();
   const double middle = picture.textLine() - 5;
   drawDot(cr, x + 8, middle, 0);
   x = picture.drawText(x + 20, "start ") + 4;
-  for (int i = 0; i < kWidth; ++i) {
-    setTimeColour(cr, (i + 0.5) / kWidth);
+  for (int i = 0; i < kBarWidth; ++i) {
+    setTimeColour(cr, (i + 0.5) / kBarWidth);
     cairo_rectangle(cr, std::floor(x) + i, middle - 3, 1, 6);
     cairo_fill(cr);
   }
-  drawDot(cr, x + kWidth + 18, middle, 1);
-  picture.drawText(x + kWidth + 30, fmt::format("end, {:.0f} s later", seconds));
+  drawDot(cr, x + kBarWidth + 18, middle, 1);
+  picture.drawText(x + kBarWidth + 30, fmt::format("end, {:.0f} s later", seconds));
 }
 
 void drawFooter(MapPicture& picture, const models::Trajectory& path) {
