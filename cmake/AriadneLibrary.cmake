@@ -73,6 +73,19 @@ function(ariadne_add_test name)
   ariadne_set_options(${name})
   ariadne_optimise_little(${name})
   ariadne_start_fast(${name})
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300
-    ENVIRONMENT "ARIADNE_SOURCE_DIR=${CMAKE_SOURCE_DIR};ARIADNE_BIN_DIR=${CMAKE_BINARY_DIR}/bin;LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/cmake/lsan.supp;TSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/cmake/tsan.supp")
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+  ariadne_set_test_environment(${name})
+endfunction()
+
+# gtest_discover_tests passes the first of several variables on and loses the others, however they are escaped
+# (CMake 3.25); ctest itself sets them here, after it has read the list of the program's cases.
+function(ariadne_set_test_environment name)
+  set(file ${CMAKE_CURRENT_BINARY_DIR}/${name}_environment.cmake)
+  file(CONFIGURE OUTPUT ${file} @ONLY CONTENT [=[
+foreach(test IN LISTS @name@_TESTS)
+  set_tests_properties("${test}" PROPERTIES ENVIRONMENT
+    "ARIADNE_SOURCE_DIR=@CMAKE_SOURCE_DIR@;ARIADNE_BIN_DIR=@CMAKE_BINARY_DIR@/bin;LSAN_OPTIONS=suppressions=@CMAKE_SOURCE_DIR@/cmake/lsan.supp;TSAN_OPTIONS=suppressions=@CMAKE_SOURCE_DIR@/cmake/tsan.supp")
+endforeach()
+]=])
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${file})
 endfunction()

@@ -31,8 +31,7 @@ class ExperimentStops : public StandIn {
  protected:
   /// Starts ariadne-experiment; what it prints is in the file NAME.out.
   pid_t start(std::vector<std::string> args, const std::string& name = "x") {
-    args.insert(args.begin(),
-                fs::read_symlink("/proc/self/exe").parent_path() / "ariadne-experiment");
+    args.insert(args.begin(), fs::path(std::getenv("ARIADNE_BIN_DIR")) / "ariadne-experiment");
     std::vector<char*> argv;
     for (std::string& a : args) argv.push_back(a.data());
     argv.push_back(nullptr);

@@ -11,7 +11,7 @@
 namespace ariadne::io {
 namespace {
 
-[[noreturn]] void fail(png_structp, png_const_charp message) {
+[[noreturn]] void failReading(png_structp, png_const_charp message) {
   throw core::Error(fmt::format("it is damaged: {}", message));
 }
 
@@ -24,13 +24,14 @@ struct PngSource {
 
 void take(png_structp png, png_bytep to, png_size_t count) {
   auto& source = *static_cast<PngSource*>(png_get_io_ptr(png));
-  if (source.bytes.size() - source.at < count) fail(png, "it ends early");
+  if (source.bytes.size() - source.at < count) failReading(png, "it ends early");
   std::memcpy(to, source.bytes.data() + source.at, count);
   source.at += count;
 }
 
 struct PngReader {
-  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, ignoreWarning);
+  png_structp png =
+      png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, failReading, ignoreWarning);
   png_infop info = png ? png_create_info_struct(png) : nullptr;
   PngReader() = default;
   PngReader(const PngReader&) = delete;

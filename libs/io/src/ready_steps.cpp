@@ -10,10 +10,10 @@ namespace ariadne::io {
 namespace {
 
 // Lasers take turns, so the labels of all are among the first scans.
-constexpr std::size_t kLeast = 200;
+constexpr std::size_t kLeastSurveyed = 200;
 // What means "no return" shows over a way of some metres: at 40 scans a second, the next 50 s.
-constexpr std::size_t kMost = 2000;
-constexpr std::size_t kMostBeams = 1'000'000;
+constexpr std::size_t kMostSurveyed = 2000;
+constexpr std::size_t kMostBeamsSurveyed = 1'000'000;
 
 float checked(const char* name, double value_m) {
   if (!(value_m >= 0 && value_m <= 1000))
@@ -31,7 +31,8 @@ ReadySteps::ReadySteps(const DatasetOptions& options, DatasetCounts& counts)
 }
 
 bool ReadySteps::wantsMore() const {
-  return steps_.size() < kLeast || (steps_.size() < kMost && beams_ < kMostBeams);
+  return steps_.size() < kLeastSurveyed ||
+         (steps_.size() < kMostSurveyed && beams_ < kMostBeamsSurveyed);
 }
 
 void ReadySteps::push(models::SensorStep step, double fraction) {

@@ -9,7 +9,7 @@ namespace ariadne::io {
 namespace {
 
 constexpr double kWide_rad = M_PI / 4;
-constexpr float kFarthest_m = 1000;
+constexpr float kFarthestReading_m = 1000;
 constexpr std::int32_t kSurroundings_mm = 250;
 
 /// How many ranges there are as many of as of each other, if they were equally frequent: the
@@ -100,7 +100,7 @@ SurveyedScan surveyed(const models::SensorStep& step, const std::vector<char>& c
   out.step_rad = side * scan.aperture / static_cast<double>(std::max<std::size_t>(size, 2) - 1);
   out.first_rad = step.odom_from_robot.phi + scan.sensorPose.yaw() - side * scan.aperture / 2;
   out.ranges_mm.resize(size);
-  const float limit_m = std::min(scan.maxRange, kFarthest_m);
+  const float limit_m = std::min(scan.maxRange, kFarthestReading_m);
   const float* ranges = size > 0 ? &scan.getScanRange(0) : nullptr;
   const char* valid = called_valid.data();
   std::int32_t* ranges_mm = out.ranges_mm.data();

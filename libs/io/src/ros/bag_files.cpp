@@ -6,21 +6,12 @@
 
 #include "ariadne/core/error.h"
 #include "bag_folder.h"
+#include "bytes.h"
 #include "open_bag.h"
 
 namespace ariadne::io::ros {
-namespace {
 
 namespace fs = std::filesystem;
-
-std::uintmax_t sizeOf(const fs::path& path) {
-  std::error_code code;
-  const std::uintmax_t size = fs::file_size(path, code);
-  if (code) throw core::Error(fmt::format("cannot read {}: {}", path.string(), code.message()));
-  return size;
-}
-
-}  // namespace
 
 bool looksLikeBag(const fs::path& path) {
   std::error_code ignored;

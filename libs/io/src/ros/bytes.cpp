@@ -15,14 +15,14 @@ namespace {
 // Small enough that pictures between the scans are jumped over unread.
 constexpr std::size_t kWindow = 1 << 17;
 
+}  // namespace
+
 std::uint64_t sizeOf(const std::filesystem::path& path) {
   std::error_code code;
   const std::uintmax_t size = std::filesystem::file_size(path, code);
   if (code) throw core::Error(fmt::format("cannot read {}: {}", path.string(), code.message()));
   return size;
 }
-
-}  // namespace
 
 void Bytes::requireLeft(std::uint64_t count) const {
   if (count > left())

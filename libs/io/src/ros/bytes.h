@@ -10,6 +10,9 @@
 
 namespace ariadne::io::ros {
 
+/// Of a file, in bytes. Throws core::Error where it cannot be read.
+std::uint64_t sizeOf(const std::filesystem::path& path);
+
 class Bytes {
  public:
   virtual ~Bytes() = default;

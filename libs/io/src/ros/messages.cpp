@@ -14,7 +14,7 @@ namespace {
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
 constexpr std::size_t kMostBeams = 100'000;
 constexpr std::size_t kLongestFrame = 1000;
-constexpr std::size_t kMostUnpacked = 1 << 26;
+constexpr std::size_t kMostUnpackedMessage = 1 << 26;
 constexpr std::size_t kPadding = 3;
 
 template <class In>
@@ -114,7 +114,7 @@ Message decode(const BagTopic& topic, std::string_view payload) {
   }
   std::vector<char> unpacked;
   if (looksLikeZstd(payload)) {
-    unpacked = unpackZstd(payload, kMostUnpacked);
+    unpacked = unpackZstd(payload, kMostUnpackedMessage);
     payload = {unpacked.data(), unpacked.size()};
   }
   CdrPayload in(payload);

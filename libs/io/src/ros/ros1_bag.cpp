@@ -10,9 +10,16 @@
 namespace ariadne::io::ros {
 namespace {
 
-enum Op { kMessage = 2, kFileHeader = 3, kIndex = 4, kChunk = 5, kChunkInfo = 6, kConnection = 7 };
+enum Ros1Op {
+  kRos1Message = 2,
+  kRos1FileHeader = 3,
+  kRos1Index = 4,
+  kRos1Chunk = 5,
+  kRos1ChunkInfo = 6,
+  kRos1Connection = 7
+};
 
-constexpr std::string_view kMagic = "#ROSBAG V2.0\n";
+constexpr std::string_view kRos1Magic = "#ROSBAG V2.0\n";
 constexpr std::uint32_t kLongestConnection = 1 << 24;
 constexpr std::size_t kMostConnections = 100'000;
 
@@ -21,10 +28,10 @@ constexpr std::size_t kMostConnections = 100'000;
 Ros1Bag::Ros1Bag(const std::filesystem::path& path) : file_(path) { readFileHeader(); }
 
 void Ros1Bag::readFileHeader() {
-  if (file_.take(std::min<std::uint64_t>(kMagic.size(), file_.left())) != kMagic)
+  if (file_.take(std::min<std::uint64_t>(kRos1Magic.size(), file_.left())) != kRos1Magic)
     throw BagDamage("a bag of a version before 2.0: renew it with 'rosbag fix'");
   const Ros1Record header = readRos1Record(file_);
-  if (header.op != kFileHeader) throw BagDamage("a bag whose first record is not its header");
+  if (header.op != kRos1FileHeader) throw BagDamage("a bag whose first record is not its header");
   if (!header.encryptor.empty())
     throw BagDamage(fmt::format("the bag is encrypted ({}): decrypt it with 'rosbag decrypt'",
                                 header.encryptor));
@@ -49,7 +56,7 @@ std::optional<BagMessage> Ros1Bag::next() {
     }
     record_at_ = in.offset();
     const Ros1Record record = readRos1Record(in);
-    if (record.op == kMessage) {
+    if (record.op == kRos1Message) {
       const auto found = connections_.find(record.connection);
       if (found == connections_.end())
         throw BagDamage(fmt::format("a message of connection {}, which is nowhere described",
@@ -58,11 +65,11 @@ std::optional<BagMessage> Ros1Bag::next() {
       payload_left_ = record.data_size;
       return BagMessage{&found->second, record.time_ns};
     }
-    if (record.op == kChunk && !chunk_) {
+    if (record.op == kRos1Chunk && !chunk_) {
       openChunk(record);
-    } else if (record.op == kConnection) {
+    } else if (record.op == kRos1Connection) {
       readConnection(record);
-    } else if (record.op == kIndex || record.op == kChunkInfo) {
+    } else if (record.op == kRos1Index || record.op == kRos1ChunkInfo) {
       in.skip(record.data_size);
     } else {
       throw BagDamage(fmt::format("a record of kind {}", record.op));

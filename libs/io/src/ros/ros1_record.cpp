@@ -6,7 +6,7 @@ namespace ariadne::io::ros {
 namespace {
 
 constexpr std::uint32_t kLongestHeader = 1 << 16;
-constexpr std::int64_t kSecond_ns = 1'000'000'000;
+constexpr std::int64_t kSecondOfRecord_ns = 1'000'000'000;
 
 template <class T>
 T numberOf(std::string_view name, std::string_view value) {
@@ -19,7 +19,7 @@ T numberOf(std::string_view name, std::string_view value) {
 
 std::int64_t timeOf(std::string_view name, std::string_view value) {
   const auto both = numberOf<std::uint64_t>(name, value);
-  return static_cast<std::int64_t>(both & 0xffffffff) * kSecond_ns +
+  return static_cast<std::int64_t>(both & 0xffffffff) * kSecondOfRecord_ns +
          static_cast<std::int64_t>(both >> 32);
 }
 
