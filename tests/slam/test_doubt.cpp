@@ -5,28 +5,15 @@
 
 #include "ariadne/slam/mapper.h"
 #include "drive.h"
+#include "few.h"
 
 using namespace ariadne;
 using mrpt::math::TPose2D;
 using slam::Mapper;
+using test::few;
+using test::worstError;
 
 namespace {
-
-slam::SlamParams few() {
-  slam::SlamParams p;
-  p.filter.particles = 8;
-  return p;
-}
-
-double worstError(const models::Trajectory& path, const std::vector<TPose2D>& truth) {
-  double worst = 0;
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    const auto a = models::relativePose(path[0].pose, path[i].pose);
-    const auto b = models::relativePose(truth[0], truth[i]);
-    worst = std::max(worst, std::hypot(a.x - b.x, a.y - b.y));
-  }
-  return worst;
-}
 
 /// From step `at` on the odometry counts from `to`.
 void jump(test::RecordedDrive& drive, std::size_t at, const TPose2D& to) {

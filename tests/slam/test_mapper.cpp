@@ -6,31 +6,12 @@
 #include "ariadne/core/error.h"
 #include "ariadne/slam/mapper.h"
 #include "drive.h"
+#include "few.h"
 
 using namespace ariadne;
 using slam::Mapper;
-using slam::SlamParams;
-
-namespace {
-
-SlamParams few(int particles = 8) {
-  SlamParams p;
-  p.filter.particles = particles;
-  return p;
-}
-
-/// Largest distance between the path and the truth, both seen from their first pose.
-double worstError(const models::Trajectory& path, const std::vector<mrpt::math::TPose2D>& truth) {
-  double worst = 0;
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    const auto a = models::relativePose(path[0].pose, path[i].pose);
-    const auto b = models::relativePose(truth[0], truth[i]);
-    worst = std::max(worst, std::hypot(a.x - b.x, a.y - b.y));
-  }
-  return worst;
-}
-
-}  // namespace
+using test::few;
+using test::worstError;
 
 // Measured over seeds 1 to 10: worst 0.045 m to 0.061 m (odometry alone 0.75 m to 1.1 m).
 TEST(Mapper, HoldsTheOvalWhereOdometryDoesNot) {
