@@ -1,8 +1,11 @@
 // What a reader makes of a recording.
 #pragma once
+#include "../../shipped_datasets.h"
 #include "../sample_logs.h"
 #include "../temporary_folder.h"
 #include "recording.h"
+
+inline const std::filesystem::path kRecordings = ariadne::test::shippedDatasets() / "ros";
 
 class RosLog : public TemporaryFolder {
  protected:

@@ -2,7 +2,6 @@
 // believed.
 #include <sys/resource.h>
 
-#include "../../shipped_datasets.h"
 #include "ros_log.h"
 
 namespace fs = std::filesystem;
@@ -14,8 +13,7 @@ using sample::io::writeWhole;
 
 namespace {
 
-const fs::path kFolder = ariadne::test::shippedDatasets() / "ros";
-const std::vector<recording::Tf> kFixed = {{"base", "laser", {}}};
+const std::vector<recording::Tf> kAtTheMiddle = {{"base", "laser", {}}};
 
 class RosDamage : public RosLog {
  protected:
@@ -27,14 +25,14 @@ class RosDamage : public RosLog {
 };
 
 /// A recording of `count` drives one behind the other.
-std::string whole() { return Mcap(drive().fixed(kFixed)).bytes(); }
+std::string whole() { return Mcap(drive().fixed(kAtTheMiddle)).bytes(); }
 
 }  // namespace
 
 TEST_F(RosDamage, CutAnywhereItGivesWhatIsBefore) {
   for (const char* name : {"odom.bag", "tf_bz2.bag", "tf.mcap", "tf_lz4.mcap", "odom_zstd.mcap"}) {
-    const std::string bytes = readWhole(kFolder / name);
-    const std::size_t all = sample::read(kFolder / name).steps.size();
+    const std::string bytes = readWhole(kRecordings / name);
+    const std::size_t all = sample::read(kRecordings / name).steps.size();
     std::size_t before = 0;
     for (int tenth = 1; tenth <= 9; ++tenth) {
       writeWhole(folder / name,
@@ -51,7 +49,7 @@ TEST_F(RosDamage, CutAnywhereItGivesWhatIsBefore) {
 }
 
 TEST_F(RosDamage, AFileThatWasNotClosedIsRead) {
-  const auto r = read(drive().fixed(kFixed).bytes(false));
+  const auto r = read(drive().fixed(kAtTheMiddle).bytes(false));
   EXPECT_EQ(r.steps.size(), 4U);
   EXPECT_TRUE(r.warns("not closed by its recorder"));
   EXPECT_FALSE(read(whole()).warns("not closed"));
@@ -59,7 +57,7 @@ TEST_F(RosDamage, AFileThatWasNotClosedIsRead) {
 
 // The last 4 KB of a bag are its index; its place in the header is 0 until the recorder closes it.
 TEST_F(RosDamage, ABagWithoutIndexIsRead) {
-  std::string bytes = readWhole(kFolder / "odom.bag");
+  std::string bytes = readWhole(kRecordings / "odom.bag");
   const std::size_t index = bytes.find("index_pos=") + 10;
   std::uint64_t at = 0;
   std::memcpy(&at, bytes.data() + index, sizeof at);
@@ -67,12 +65,12 @@ TEST_F(RosDamage, ABagWithoutIndexIsRead) {
   std::memset(bytes.data() + index, 0, sizeof at);
   writeWhole(folder / "a.bag", bytes);
   const auto r = sample::read(folder / "a.bag");
-  EXPECT_EQ(r.steps.size(), sample::read(kFolder / "odom.bag").steps.size());
+  EXPECT_EQ(r.steps.size(), sample::read(kRecordings / "odom.bag").steps.size());
   EXPECT_TRUE(r.warns("not closed by its recorder"));
 }
 
 TEST_F(RosDamage, AWrongChecksumIsDamage) {
-  std::string bytes = readWhole(kFolder / "tf.mcap");
+  std::string bytes = readWhole(kRecordings / "tf.mcap");
   const std::size_t in_last_scan = bytes.rfind("laser") + 60;
   bytes[in_last_scan] = static_cast<char>(bytes[in_last_scan] ^ 1);
   const auto r = read(bytes);
@@ -100,8 +98,10 @@ TEST_F(RosDamage, HugeClaimsTakeNoMemory) {
   Packed scan = recording::header({1000, 0}, "laser");
   for (int i = 0; i < 7; ++i) scan.add(1.F);
   scan.add<std::uint32_t>(0xffffffff);
-  files.push_back(
-      drive().fixed(kFixed).message("/scan", "sensor_msgs/LaserScan", scan.bytes(), {1}).bytes());
+  files.push_back(drive()
+                      .fixed(kAtTheMiddle)
+                      .message("/scan", "sensor_msgs/LaserScan", scan.bytes(), {1})
+                      .bytes());
   files.push_back(Mcap()
                       .message("/tf", "tf2_msgs/TFMessage",
                                Packed().add<std::uint32_t>(0xffffffff).bytes(), {1})
@@ -114,7 +114,7 @@ TEST_F(RosDamage, HugeClaimsTakeNoMemory) {
 }
 
 TEST_F(RosDamage, MessagesThatCannotBeReadAreCounted) {
-  Mcap file = drive().fixed(kFixed);
+  Mcap file = drive().fixed(kAtTheMiddle);
   file.message("/scan", "sensor_msgs/LaserScan", "short", {1004, 0});
   file.message("/scan", "sensor_msgs/LaserScan", recording::Scan().bytes() + "long", {1005, 0});
   const auto r = read(file);
@@ -126,7 +126,7 @@ TEST_F(RosDamage, MessagesThatCannotBeReadAreCounted) {
 TEST_F(RosDamage, OldAndEncryptedBagsAreTold) {
   writeWhole(folder / "a.bag", "#ROSBAG V1.2\nabc");
   expectTold(sample::read(folder / "a.bag"), {"version before 2.0", "rosbag fix"});
-  std::string bytes = readWhole(kFolder / "odom.bag");
+  std::string bytes = readWhole(kRecordings / "odom.bag");
   const std::size_t at = bytes.find("conn_count=");
   bytes.replace(at, 15, "encryptor=abcde");
   writeWhole(folder / "a.bag", bytes);
@@ -134,7 +134,7 @@ TEST_F(RosDamage, OldAndEncryptedBagsAreTold) {
 }
 
 TEST_F(RosDamage, OtherDatabasesAreTold) {
-  std::string bytes = readWhole(kFolder / "tf.db3");
+  std::string bytes = readWhole(kRecordings / "tf.db3");
   for (std::size_t at = 0; (at = bytes.find("messages", at)) != bytes.npos;)
     bytes.replace(at, 8, "massages");
   writeWhole(folder / "a.db3", bytes);
@@ -142,7 +142,7 @@ TEST_F(RosDamage, OtherDatabasesAreTold) {
 }
 
 TEST_F(RosDamage, ADamagedDatabaseGivesWhatIsBefore) {
-  std::string bytes = readWhole(kFolder / "tf.db3");
+  std::string bytes = readWhole(kRecordings / "tf.db3");
   bytes.resize(bytes.size() * 3 / 4);
   writeWhole(folder / "a.db3", bytes);
   const auto r = sample::read(folder / "a.db3");
@@ -153,7 +153,7 @@ TEST_F(RosDamage, LookingThroughCanBeStopped) {
   writeWhole(folder / "a.mcap", whole());
   ariadne::io::DatasetOptions options;
   // Called once in 256 messages.
-  Mcap file = drive().fixed(kFixed);
+  Mcap file = drive().fixed(kAtTheMiddle);
   for (std::uint32_t i = 0; i < 600; ++i) file.odom({1004, i}, {});
   writeWhole(folder / "b.mcap", file.bytes());
   options.goes_on = [](double share) {

@@ -1,5 +1,4 @@
 // Recordings in several files: folders with metadata.yaml and without.
-#include "../../shipped_datasets.h"
 #include "ros_log.h"
 
 namespace fs = std::filesystem;
@@ -8,31 +7,29 @@ using sample::io::writeWhole;
 
 namespace {
 
-const fs::path kFolder = ariadne::test::shippedDatasets() / "ros";
-
 class RosFolder : public RosLog {};
 
 }  // namespace
 
 TEST_F(RosFolder, AFolderWithoutMetadataIsItsParts) {
   for (const char* name : {"split_0.mcap", "split_1.mcap"})
-    fs::copy_file(kFolder / "split" / name, folder / name);
+    fs::copy_file(kRecordings / "split" / name, folder / name);
   const auto r = sample::read(folder);
-  EXPECT_EQ(r.steps.size(), sample::read(kFolder / "split").steps.size());
+  EXPECT_EQ(r.steps.size(), sample::read(kRecordings / "split").steps.size());
   EXPECT_TRUE(r.warns("there is no metadata.yaml: the 2 recordings"));
-  fs::copy_file(kFolder / "tf.mcap", folder / "other.mcap");
+  fs::copy_file(kRecordings / "tf.mcap", folder / "other.mcap");
   expectTold(sample::read(folder), {"holds several recordings", "name one file"});
 }
 
 TEST_F(RosFolder, APartThatIsMissingIsTold) {
-  fs::copy_file(kFolder / "split/metadata.yaml", folder / "metadata.yaml");
-  fs::copy_file(kFolder / "split/split_0.mcap", folder / "split_0.mcap");
+  fs::copy_file(kRecordings / "split/metadata.yaml", folder / "metadata.yaml");
+  fs::copy_file(kRecordings / "split/split_0.mcap", folder / "split_0.mcap");
   expectTold(sample::read(folder),
              {"metadata.yaml names the file split_1.mcap, which is not there"});
 }
 
 TEST_F(RosFolder, AfterADamagedPartTheNextGoesOn) {
-  fs::copy(kFolder / "split", folder / "split");
+  fs::copy(kRecordings / "split", folder / "split");
   const std::string first = readWhole(folder / "split/split_0.mcap");
   writeWhole(folder / "split/split_0.mcap", first.substr(0, first.size() / 2));
   const auto r = sample::read(folder / "split");
@@ -49,7 +46,7 @@ TEST_F(RosFolder, BadMetadataIsTold) {
 }
 
 TEST_F(RosFolder, ThePlaceOfTheSecondPartAlone) {
-  expectTold(sample::read(kFolder / "split/split_1.mcap"),
+  expectTold(sample::read(kRecordings / "split/split_1.mcap"),
              {"tf_static is in the first one", "laser_pose"});
 }
 
@@ -71,7 +68,7 @@ TEST_F(RosFolder, ManyPartsGoByTheirNumbers) {
 }
 
 TEST_F(RosFolder, OldMetadataNamesTheFolderToo) {
-  fs::copy(kFolder / "split", folder / "split");
+  fs::copy(kRecordings / "split", folder / "split");
   std::string yaml = readWhole(folder / "split/metadata.yaml");
   for (std::size_t at = 0; (at = yaml.find("- split_", at)) != yaml.npos; at += 10)
     yaml.insert(at + 2, "split/");

@@ -3,7 +3,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "../../shipped_datasets.h"
 #include "ariadne/io/dataset_writers.h"
 #include "ariadne/slam/mapper.h"
 #include "ros_log.h"
@@ -13,17 +12,15 @@ using namespace sample;  // NOLINT: a test of these samples
 
 namespace {
 
-const fs::path kFolder = ariadne::test::shippedDatasets() / "ros";
-
 struct DriveStep {
   double time_s = 0;
   TPose2D pose;
   std::vector<float> ranges;
 };
 
-std::vector<DriveStep> drive() {
+std::vector<DriveStep> driveOfText() {
   std::vector<DriveStep> steps;
-  std::ifstream text(kFolder / "drive.txt");
+  std::ifstream text(kRecordings / "drive.txt");
   for (std::string line; std::getline(text, line);) {
     if (line[0] == '#') continue;
     std::istringstream words(line);
@@ -49,7 +46,7 @@ mrpt::maps::COccupancyGridMap2D mapOf(const fs::path& log) {
 
 /// A rawlog of the drive, written by us from the text alone.
 void writeDrive(const fs::path& path) {
-  const auto steps = drive();
+  const auto steps = driveOfText();
   std::size_t next = 0;
   io::writeObservationRawlog(path, [&]() -> std::optional<ariadne::models::SensorStep> {
     if (next == steps.size()) return std::nullopt;
@@ -74,8 +71,8 @@ class Sample : public TemporaryFolder, public testing::WithParamInterface<const 
 }  // namespace
 
 TEST_P(Sample, HoldsTheStepsOfTheText) {
-  const Result r = sample::read(kFolder / GetParam());
-  const auto expected = drive();
+  const Result r = sample::read(kRecordings / GetParam());
+  const auto expected = driveOfText();
   ASSERT_EQ(r.error, "");
   EXPECT_EQ(r.label, "/scan");
   for (const std::string& w : r.warnings) ADD_FAILURE() << w;
@@ -103,7 +100,7 @@ TEST_P(Sample, HoldsTheStepsOfTheText) {
 
 TEST_P(Sample, GivesTheMapOfTheRawlog) {
   writeDrive(folder / "drive.rawlog");
-  const auto map = mapOf(kFolder / GetParam()), expected = mapOf(folder / "drive.rawlog");
+  const auto map = mapOf(kRecordings / GetParam()), expected = mapOf(folder / "drive.rawlog");
   EXPECT_EQ(map.getXMin(), expected.getXMin());
   EXPECT_EQ(map.getYMin(), expected.getYMin());
   EXPECT_EQ(map.getSizeX(), expected.getSizeX());
@@ -125,8 +122,8 @@ INSTANTIATE_TEST_SUITE_P(RosSamples, Sample,
 // A laser that hangs and scans clockwise has its beams where one that stands and scans the other
 // way round has them; the file holds one topic after the other.
 TEST(RosSample, HangingClockwiseLaser) {
-  const Result r = sample::read(kFolder / "hanging_lz4.bag");
-  const auto expected = drive();
+  const Result r = sample::read(kRecordings / "hanging_lz4.bag");
+  const auto expected = driveOfText();
   ASSERT_EQ(r.error, "");
   ASSERT_EQ(r.steps.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) {
