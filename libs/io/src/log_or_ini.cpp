@@ -11,11 +11,11 @@ namespace ariadne::io {
 namespace {
 
 constexpr std::size_t kPreamble = 64 << 10;  // longer than any INI's comment
-constexpr std::string_view kBlanks = " \t\v\f\r";
+constexpr std::string_view kLeading = " \t\v\f\r";
 
 /// Without leading blanks; empty for a comment.
 std::string_view contentOf(std::string_view line) {
-  line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
+  line.remove_prefix(std::min(line.find_first_not_of(kLeading), line.size()));
   const bool comment =
       line.substr(0, 1) == "#" || line.substr(0, 1) == ";" || line.substr(0, 2) == "//";
   return comment ? std::string_view() : line;
@@ -25,14 +25,14 @@ std::string_view contentOf(std::string_view line) {
 bool isOfIni(std::string_view content) {
   if (content[0] == '[') return true;
   const std::size_t key_end = std::min(content.find_first_of(" \t="), content.size());
-  const std::size_t next = content.find_first_not_of(kBlanks, key_end);
+  const std::size_t next = content.find_first_not_of(kLeading, key_end);
   return next != content.npos && content[next] == '=';
 }
 
 bool isText(std::string_view bytes) {
   return std::none_of(bytes.begin(), bytes.end(), [](char c) {
     const auto u = static_cast<unsigned char>(c);
-    return u < 32 && c != '\n' && kBlanks.find(c) == kBlanks.npos;
+    return u < 32 && c != '\n' && kLeading.find(c) == kLeading.npos;
   });
 }
 
