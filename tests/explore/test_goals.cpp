@@ -16,8 +16,8 @@ namespace {
 
 /// A room of 6 x 3 m whose right end is open to the unknown, and a robot in it that came along its
 /// middle line, an update each 0.5 m.
-struct Room {
-  explicit Room(bool closed = false) : map(drawn(closed)) {
+struct RoomOfGoals {
+  explicit RoomOfGoals(bool closed = false) : map(drawn(closed)) {
     for (std::size_t k = 0; k <= 8; ++k)
       path = std::make_shared<filter::Ancestor>(
           path, k, TPose2D(1 + 0.5 * static_cast<double>(k), 1.5, 0), 0.0);
@@ -70,7 +70,7 @@ using Kinds = std::vector<DecisionKind>;
 }  // namespace
 
 TEST(FrontierGoal, GoesToTheOpenEndAndKeepsIt) {
-  Room room;
+  RoomOfGoals room;
   explore::FrontierGoal goal(room.params);
   const auto first = room.ask(goal);
   ASSERT_TRUE(first.where) << first.why_not;
@@ -83,7 +83,7 @@ TEST(FrontierGoal, GoesToTheOpenEndAndKeepsIt) {
 }
 
 TEST(FrontierGoal, OneThatFailedIsLeftForThatReason) {
-  Room room;
+  RoomOfGoals room;
   explore::FrontierGoal goal(room.params);
   for (double y = 0; y <= 3; y += 0.25) goal.fail({6, y}, "it did not give way");
   const auto answer = room.ask(goal);
@@ -94,13 +94,13 @@ TEST(FrontierGoal, OneThatFailedIsLeftForThatReason) {
 }
 
 TEST(FrontierGoal, AClosedRoomHasNone) {
-  Room room(true);
+  RoomOfGoals room(true);
   explore::FrontierGoal goal(room.params);
   EXPECT_EQ(room.ask(goal).why_not, "explored: no frontier is left");
 }
 
 TEST(HomeGoal, LeadsToTheFirstPoseWhereItIsWanted) {
-  Room room;
+  RoomOfGoals room;
   explore::HomeGoal stays(room.params);
   EXPECT_EQ(room.ask(stays).why_not, "drive_home is false");
   room.params.drive_home = true;
@@ -113,7 +113,7 @@ TEST(HomeGoal, LeadsToTheFirstPoseWhereItIsWanted) {
 }
 
 TEST(LoopGoal, WithoutAnOpenLoopOrAnActiveStrategyThereIsNone) {
-  Room room;
+  RoomOfGoals room;
   explore::LoopGoal none(room.params);
   EXPECT_FALSE(none.isThere(room.belief()));
   EXPECT_FALSE(room.ask(none).where);
@@ -127,7 +127,7 @@ TEST(LoopGoal, WithoutAnOpenLoopOrAnActiveStrategyThereIsNone) {
 }
 
 TEST(LoopGoal, DrivesToTheEntryAndGivesUpWhereItIsNotRecognised) {
-  Room room;
+  RoomOfGoals room;
   const auto open = loop();
   room.open = {&open};
   explore::LoopGoal goal(room.params);
@@ -144,7 +144,7 @@ TEST(LoopGoal, DrivesToTheEntryAndGivesUpWhereItIsNotRecognised) {
 }
 
 TEST(LoopGoal, AnEntryIsGoneToAgainWhenTheMapThereHasChanged) {
-  Room room;
+  RoomOfGoals room;
   const auto open = loop();
   room.open = {&open};
   explore::LoopGoal goal(room.params);
@@ -158,7 +158,7 @@ TEST(LoopGoal, AnEntryIsGoneToAgainWhenTheMapThereHasChanged) {
 }
 
 TEST(LoopGoal, FollowsThePathFromTheEntryAndLeavesAfterItsLaps) {
-  Room room;
+  RoomOfGoals room;
   auto open = loop();
   open.entered = 8;
   room.open = {&open};

@@ -14,7 +14,7 @@ using models::VelocityCommand;
 using mrpt::math::TPoint2D;
 using mrpt::math::TPose2D;
 
-constexpr double kDegree = M_PI / 180;
+constexpr double kDegreeOfExplorer = M_PI / 180;
 constexpr int kMostTouches = 20;
 constexpr double kGuard_m = 0.1;
 constexpr double kScanPeriod_s = 0.2;  // about: how far a command carries
@@ -64,7 +64,7 @@ VelocityCommand Explorer::act(const Belief& belief) {
 }
 
 VelocityCommand Explorer::lookAround(const Belief& belief) {
-  if (way_.turned_rad() < 2 * M_PI) return {0, params_.turn_deg_s * kDegree};
+  if (way_.turned_rad() < 2 * M_PI) return {0, params_.turn_deg_s * kDegreeOfExplorer};
   decide(belief);
   return {};
 }
@@ -106,7 +106,7 @@ void Explorer::blocked(const Belief& belief) {
 /// At a frontier: turns to it until the filter took a scan with it in view. One that stays as it
 /// was has failed.
 VelocityCommand Explorer::face(const Belief& belief) {
-  constexpr double kInView = 60 * kDegree;
+  constexpr double kInView = 60 * kDegreeOfExplorer;
   constexpr double kPatience_s = 8;
   constexpr double kSame_m = 0.5;
   const TPose2D& pose = belief.map_from_robot;
@@ -117,7 +117,8 @@ VelocityCommand Explorer::face(const Belief& belief) {
   if (!looked && belief.time_s - mode_since_s_ < kPatience_s) {
     const auto command = follower_.face(pose, seen);
     // Past it, for the filter takes a scan only after a turn.
-    return command.turn_rad_s != 0 ? command : VelocityCommand{0, params_.turn_deg_s * kDegree};
+    return command.turn_rad_s != 0 ? command
+                                   : VelocityCommand{0, params_.turn_deg_s * kDegreeOfExplorer};
   }
   decide(belief);
   const bool still_there = mode_ == Mode::driving && heading_.purpose == Purpose::frontier &&

@@ -7,7 +7,6 @@
 #include "ariadne/explore/goal_check.h"
 #include "ariadne/explore/guard.h"
 #include "ariadne/models/motion_model.h"
-#include "distances.h"
 
 namespace ariadne::explore {
 namespace {
