@@ -14,8 +14,8 @@ std::vector<std::string> doubtWarnings(const RunResult& r) {
   if (d.jumps_by_scan + d.jumps_by_odometry + d.jumps_guessed > 0)
     warnings.push_back(fmt::format(
         "where the odometry jumped: {} times the scan told where the robot was, {} times it fitted "
-        "where the odometry jumped to, {} times it fitted neither and the robot was taken to have "
-        "gone on as before",
+        "where the odometry jumped to, {} times it fitted neither and the robot was taken to be "
+        "where it lies better",
         d.jumps_by_scan, d.jumps_by_odometry, d.jumps_guessed));
   if (r.record.scans_lost > 0)
     warnings.push_back(fmt::format(

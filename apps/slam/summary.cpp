@@ -61,7 +61,8 @@ Json learnedMotion(const models::MotionLearner& learned, const models::MotionPar
           {"along_scale", along},
           {"across_scale", across},
           {"turn_scale", turn},
-          {"turn_deg_per_m", learned.turnPerMetre() * 180 / M_PI}};
+          {"turn_deg_per_m", learned.turnPerMetre() * 180 / M_PI},
+          {"stretch_m_per_m", learned.stretch()}};
 }
 
 Json loopFigures(const std::vector<slam::ClosingRecord>& closings, std::size_t found) {

@@ -11,6 +11,9 @@ using mrpt::math::TPose2D;
 
 namespace {
 
+// Of half a metre that scans were matched on.
+const Eigen::Matrix3d kMotion = Eigen::Vector3d(4.5e-4, 1.1e-4, 1.4e-5).asDiagonal();
+
 struct Walk {
   std::vector<TPose2D> truth;
   closure::Finder::Scans scans;
@@ -37,7 +40,7 @@ const Walk& walk() {
 /// @return the first closure and the update at which it was found
 std::pair<std::optional<closure::Closure>, std::size_t> firstClosure(double turn_deg_per_m,
                                                                      const Walk& way = walk()) {
-  closure::Finder finder({}, {}, {}, {});
+  closure::Finder finder({}, {}, {});
   closure::Finder::Scans scans;
   filter::AncestorPtr leaf;
   TPose2D pose = way.truth[0];
@@ -49,7 +52,7 @@ std::pair<std::optional<closure::Closure>, std::size_t> firstClosure(double turn
     }
     leaf = std::make_shared<filter::Ancestor>(leaf, k, pose, 0.0);
     scans.push_back(way.scans[k]);
-    if (const auto found = finder.look(leaf, scans)) return {found, k};
+    if (const auto found = finder.look(leaf, scans, kMotion)) return {found, k};
   }
   return {std::nullopt, 0};
 }
@@ -81,12 +84,12 @@ TEST(Finder, TakesNoneOfTwoPlacesThatLookAlike) {
 }
 
 TEST(Finder, FindsNothingBeforeTheLoopCloses) {
-  closure::Finder finder({}, {}, {}, {});
+  closure::Finder finder({}, {}, {});
   closure::Finder::Scans scans;
   filter::AncestorPtr leaf;
   for (std::size_t k = 0; k < 150; ++k) {  // 75 of 100 m
     leaf = std::make_shared<filter::Ancestor>(leaf, k, walk().truth[k], 0.0);
     scans.push_back(walk().scans[k]);
-    EXPECT_FALSE(finder.look(leaf, scans)) << k;
+    EXPECT_FALSE(finder.look(leaf, scans, kMotion)) << k;
   }
 }

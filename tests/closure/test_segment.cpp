@@ -6,11 +6,27 @@
 #include "ariadne/models/motion_model.h"
 
 using namespace ariadne;
-using closure::DriftParams;
 using closure::Track;
 using mrpt::math::TPose2D;
 
 namespace {
+
+/// Standard deviations per root metre.
+struct Drift {
+  double along = 0.03;
+  double across = 0.015;
+  double turn_deg = 0.3;
+};
+
+Track drifting(Track track, const Drift& d) {
+  const double turn = d.turn_deg * M_PI / 180;
+  const Eigen::Vector3d per_m(d.along * d.along, d.across * d.across, turn * turn);
+  track.motion_covariance.assign(1, Eigen::Matrix3d::Zero());
+  for (std::size_t k = 1; k < track.poses.size(); ++k)
+    track.motion_covariance.push_back(
+        ((track.travelled_m[k] - track.travelled_m[k - 1]) * per_m).asDiagonal());
+  return track;
+}
 
 /// A path of `n` steps of `step_m` that turns a little.
 Track curve(std::size_t n, double step_m, double turn, const TPose2D& start = {0, 0, 0}) {
@@ -21,7 +37,7 @@ Track curve(std::size_t n, double step_m, double turn, const TPose2D& start = {0
     track.travelled_m.push_back(step_m * static_cast<double>(k));
     pose = models::compose(pose, {step_m, 0, turn});
   }
-  return track;
+  return drifting(track, {});
 }
 
 closure::Tie tie(std::size_t first, std::size_t second, const TPose2D& relative, double sigma_m) {
@@ -35,28 +51,25 @@ double off(const TPose2D& a, const TPose2D& b) { return std::hypot(a.x - b.x, a.
 
 TEST(Segment, WithoutAClosureTheWayStaysAsItIs) {
   const Track track = curve(100, 0.3, 0.02);
-  const auto mean = closure::drawSegment(track, 10, {}, {}, nullptr);
+  const auto mean = closure::drawSegment(track, 10, {}, nullptr);
   ASSERT_EQ(mean.poses.size(), 90u);
   for (std::size_t k = 0; k < 90; ++k) EXPECT_LT(off(mean.poses[k], track.poses[11 + k]), 1e-9);
   EXPECT_NEAR(mean.cost, 0, 1e-12);
 }
 
 TEST(Segment, StepsThatCannotBeWrongAreNotMoved) {
-  const Track track = curve(60, 0.5, 0.1);
-  DriftParams none{0, 0, 0, 0};
+  const Track track = drifting(curve(60, 0.5, 0.1), {0, 0, 0});
   const auto relative = models::relativePose(track.poses[0], track.poses[60]);
   const auto mean = closure::drawSegment(
-      track, 0, {tie(0, 60, models::compose(relative, {1, 0, 0}), 0.05)}, none, nullptr);
+      track, 0, {tie(0, 60, models::compose(relative, {1, 0, 0}), 0.05)}, nullptr);
   // 1 mm a metre is left to them so that the chain is never singular; the closure asks for 1 m.
   EXPECT_LT(off(mean.poses.back(), track.poses[60]), 0.05);
   EXPECT_GT(mean.cost, 50);
 }
 
 TEST(Segment, EndsWhereTheClosureSaysAndSpreadsTheErrorOverTheWay) {
-  const Track track = curve(200, 0.5, 0);
-  DriftParams drift{0.05, 0.05, 1e-4, 0};
-  const auto mean =
-      closure::drawSegment(track, 0, {tie(0, 200, {102, 0, 0}, 0.01)}, drift, nullptr);
+  const Track track = drifting(curve(200, 0.5, 0), {0.05, 0.05, 1e-4});
+  const auto mean = closure::drawSegment(track, 0, {tie(0, 200, {102, 0, 0}, 0.01)}, nullptr);
   EXPECT_NEAR(mean.poses.back().x, 102, 0.01);
   // Independent steps: each takes its share.
   for (const std::size_t k : {50u, 100u, 150u})
@@ -69,8 +82,8 @@ TEST(Segment, WhatIsClosedAlreadyStaysClosed) {
   const auto held = models::relativePose(track.poses[20], track.poses[80]);
   const auto end =
       models::compose(models::relativePose(track.poses[0], track.poses[120]), TPose2D(0.8, 0.4, 0));
-  const auto mean = closure::drawSegment(
-      track, 0, {tie(20, 80, held, 0.02), tie(0, 120, end, 0.05)}, {}, nullptr);
+  const auto mean =
+      closure::drawSegment(track, 0, {tie(20, 80, held, 0.02), tie(0, 120, end, 0.05)}, nullptr);
   const auto after = models::relativePose(mean.poses[19], mean.poses[79]);
   EXPECT_LT(off(after, held), 0.05);
   EXPECT_LT(off(models::relativePose(track.poses[0], mean.poses[119]), end), 0.1);
@@ -83,8 +96,8 @@ TEST(Segment, ARigidMotionOfAllChangesNothing) {
   const auto relative =
       models::compose(models::relativePose(a.poses[0], a.poses[80]), {0.5, -0.3, 0.1});
   core::RandomStream rng_a(1, 2, 3, core::Purpose::test), rng_b(1, 2, 3, core::Purpose::test);
-  const auto sample_a = closure::drawSegment(a, 0, {tie(0, 80, relative, 0.05)}, {}, &rng_a);
-  const auto sample_b = closure::drawSegment(b, 0, {tie(0, 80, relative, 0.05)}, {}, &rng_b);
+  const auto sample_a = closure::drawSegment(a, 0, {tie(0, 80, relative, 0.05)}, &rng_a);
+  const auto sample_b = closure::drawSegment(b, 0, {tie(0, 80, relative, 0.05)}, &rng_b);
   for (std::size_t k = 0; k < sample_a.poses.size(); ++k)
     EXPECT_LT(off(models::compose(moved, sample_a.poses[k]), sample_b.poses[k]), 1e-6);
 }
@@ -93,13 +106,12 @@ TEST(Segment, ARigidMotionOfAllChangesNothing) {
 // quarter of the variance of the whole way. Over 600 samples a standard deviation is known to 3 %:
 // bounds of four of these.
 TEST(Segment, SamplesHaveTheMeanAndSpreadOfTheClosedForm) {
-  const Track track = curve(100, 1, 0);
-  DriftParams drift{0.05, 1e-4, 1e-5, 0};
+  const Track track = drifting(curve(100, 1, 0), {0.05, 1e-4, 1e-5});
   const int samples = 600;
   double sum = 0, squares = 0;
   for (int i = 0; i < samples; ++i) {
     core::RandomStream rng(7, static_cast<std::uint32_t>(i), 0, core::Purpose::test);
-    const auto s = closure::drawSegment(track, 0, {tie(0, 100, {101, 0, 0}, 1e-3)}, drift, &rng);
+    const auto s = closure::drawSegment(track, 0, {tie(0, 100, {101, 0, 0}, 1e-3)}, &rng);
     sum += s.poses[49].x;
     squares += s.poses[49].x * s.poses[49].x;
   }
@@ -111,9 +123,8 @@ TEST(Segment, SamplesHaveTheMeanAndSpreadOfTheClosedForm) {
 }
 
 TEST(Segment, DriftGrowsWithTheWayAndSwingsAboutTurns) {
-  const Track track = curve(100, 1, 0);
-  DriftParams drift{0.03, 0.02, 0.3, 0};
-  const auto since = closure::driftSinceEach(track, drift);
+  const Track track = drifting(curve(100, 1, 0), {0.03, 0.02, 0.3});
+  const auto since = closure::driftSinceEach(track);
   EXPECT_NEAR(since[0](0, 0), 0.03 * 0.03 * 100, 1e-3);
   const double turn = 0.3 * M_PI / 180;
   // Sum of (metres to the end)^2 after each step.

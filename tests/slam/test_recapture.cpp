@@ -41,3 +41,17 @@ TEST(Recapture, OfFewEndpointsMoreIsAsked) {
   EXPECT_NEAR(many.motion.x, 0.3, 0.05);  // a cell
   EXPECT_NEAR(many.motion.y, 0.2, 0.05);
 }
+
+// Too few endpoints to be sure by: of where the odometry jumped to and where the robot would be had
+// it gone on as before, it is the place where the scan lies better.
+TEST(Recapture, AGuessIsWhereTheScanLiesBetter) {
+  const slam::Recapture recapture({}, 8);
+  filter::Particle particle;
+  particle.map = test::roomMap();
+  slam::Doubt doubt;
+  doubt.claimed = mrpt::math::TPose2D(0.32, 0.2, 0);
+  const auto guess = recapture(particle, mostlyOnWalls(25), {-1.4, -0.6, 0.5}, doubt);
+  EXPECT_EQ(guess.by, slam::Recaptured::By::guess);
+  EXPECT_NEAR(guess.motion.x, 0.3, 0.1);
+  EXPECT_NEAR(guess.motion.y, 0.2, 0.1);
+}

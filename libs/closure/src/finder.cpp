@@ -56,9 +56,9 @@ struct Finder::Old {
   std::vector<Eigen::Matrix3d> drift;  // of now, given each update
 };
 
-Finder::Finder(const FinderParams& params, const DriftParams& drift, const grid::GridParams& grid,
+Finder::Finder(const FinderParams& params, const grid::GridParams& grid,
                const grid::LikelihoodParams& likelihood)
-    : params_(params), drift_(drift), grid_(grid), likelihood_(likelihood, grid.field_sigma_m) {}
+    : params_(params), grid_(grid), likelihood_(likelihood, grid.field_sigma_m) {}
 
 void Finder::takeScans(const Scans& scans) {
   for (std::size_t k = hits_.size(); k < scans.size(); ++k)
@@ -66,8 +66,10 @@ void Finder::takeScans(const Scans& scans) {
         grid::scanPoints(*scans[k], std::min(kHitRange_m, grid_.insert_range_m)), kMostHits));
 }
 
-std::optional<Closure> Finder::look(const filter::AncestorPtr& best, const Scans& scans) {
+std::optional<Closure> Finder::look(const filter::AncestorPtr& best, const Scans& scans,
+                                    const Eigen::Matrix3d& motion_covariance) {
   takeScans(scans);
+  motion_covariance_.push_back(motion_covariance);
   const Track track = trackOf(best);
   const double travelled = track.travelled_m.back();
   if (travelled < looked_m_ + params_.every_m && travelled > looked_m_ - 5) return std::nullopt;
@@ -92,7 +94,7 @@ Finder::Old Finder::oldPlaces(const Track& track) const {
   const std::vector<Contact> all = contacts();
   std::copy_if(all.begin(), all.end(), std::back_inserter(firm), isFirm);
   const std::vector<double> by_contacts = distancesFromNow(track, firm);
-  old.drift = driftSinceEach(track, drift_);
+  old.drift = driftSinceEach(track);
   const TPose2D& here = track.poses.back();
   for (std::size_t k = 0; k < n; ++k) {
     const double way = track.travelled_m.back() - track.travelled_m[k];
@@ -176,7 +178,7 @@ Closure Finder::closureAt(const Track& track, const Old& old, const grid::Occupa
   std::vector<Tie> ties = tiesOf(track, contacts());
   ties.push_back(
       {closure.anchor, track.now(), closure.anchor_from_robot, closure.information, false});
-  const SegmentSample mean = drawSegment(track, 0, ties, drift_, nullptr);
+  const SegmentSample mean = drawSegment(track, 0, ties, nullptr);
   closure.cost = mean.cost;
   closure.begin = 0;
   while (closure.begin < closure.anchor &&

@@ -9,8 +9,10 @@ using mrpt::math::TPose2D;
 
 double distance(const TPose2D& a, const TPose2D& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-Track trackOf(const filter::AncestorPtr& leaf) {
+Track trackOf(const filter::AncestorPtr& leaf,
+              const std::vector<Eigen::Matrix3d>& motion_covariance) {
   Track track;
+  track.motion_covariance = motion_covariance;
   track.poses.resize(leaf->step() + 1);
   filter::forEachAncestor(leaf, [&](const filter::Ancestor& a) {
     track.poses[a.step()] = a.pose();

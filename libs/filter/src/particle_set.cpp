@@ -115,11 +115,7 @@ void ParticleSet::predictMatchWeigh(const mrpt::obs::CActionCollection* action,
 
   std::vector<Outcome> outcomes(size());
   parallel_.forEach(size(), [&](std::size_t i) { outcomes[i] = propose(i, motion); });
-  const std::size_t star = best();
-  const mrpt::math::TPose2D before = (*this)[star].map_from_robot;
-  if (outcomes[star].match_accepted && !motion.isGiven())
-    learner_.add(increment, models::relativePose(before, outcomes[star].match), before,
-                 outcomes[star].information);
+  judgeMotion(increment, motion, outcomes[best()]);
 
   for (std::size_t i = 0; i < size(); ++i) {
     const double log_increment = figures_.evidence * outcomes[i].log_weight;
@@ -136,6 +132,20 @@ void ParticleSet::predictMatchWeigh(const mrpt::obs::CActionCollection* action,
   parents_.resize(size());
   std::iota(parents_.begin(), parents_.end(), 0);
   twin_ = parents_;
+}
+
+/// What the step of s* tells about the odometry, and how well the step is known.
+void ParticleSet::judgeMotion(const mrpt::math::TPose2D& increment, const models::Motion& motion,
+                              const Outcome& star) {
+  const mrpt::math::TPose2D before = (*this)[best()].map_from_robot;
+  const Eigen::Matrix3d covariance =
+      (motion.covariance(before).inverse() + models::kCalibratedGain * star.information).inverse();
+  Eigen::Matrix3d to_robot = Eigen::Matrix3d::Identity();
+  to_robot.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(-before.phi).toRotationMatrix();
+  figures_.motion_covariance = to_robot * covariance * to_robot.transpose();
+  if (models_.motion.learn && star.match_accepted && !motion.isGiven())
+    learner_.add(increment, models::relativePose(before, star.match), before, star.information,
+                 models_.filter.proposal_gain);
 }
 
 ParticleSet::Outcome ParticleSet::propose(std::size_t i, const models::Motion& motion) const {

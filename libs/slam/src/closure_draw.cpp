@@ -45,15 +45,15 @@ recovery::RecoveredSet drawGiven(const closure::Closure& found, const closure::F
   std::vector<filter::AncestorPtr> leaves(n);
   std::vector<double> log_density(n);
   inputs.parallel.forEach(n, [&](std::size_t i) {
-    const Track track = closure::trackOf(particles[i].ancestor);
+    const Track track = finder.trackOf(particles[i].ancestor);
     std::vector<closure::Tie> ties = closure::tiesOf(track, finder.contacts());
     const auto off = models::relativePose(
         models::compose(track.poses[found.anchor], found.anchor_from_robot), track.poses.back());
     ties.push_back({found.anchor, track.now(), found.anchor_from_robot, found.information, false});
     core::RandomStream rng(inputs.seed, static_cast<std::uint32_t>(particles.step()),
                            static_cast<std::uint32_t>(i), core::Purpose::closure);
-    const auto sample = closure::drawSegment(track, found.begin, ties, finder.drift(),
-                                             closed(off) ? nullptr : &rng);
+    const auto sample =
+        closure::drawSegment(track, found.begin, ties, closed(off) ? nullptr : &rng);
     log_density[i] = -sample.cost;
     if (!closed(off))
       leaves[i] = lineWith(particles[i].ancestor, found.begin, sample.poses, -sample.cost);

@@ -84,7 +84,7 @@ LoopCloser::LoopCloser(const SlamParams& params, const core::Parallel& parallel)
       parallel_(parallel),
       watcher_(params.loop_closing),
       stack_(params.recovery.memory_budget_mb),
-      finder_(finderParams(params.loop_closing), {}, params.grid, params.likelihood) {}
+      finder_(finderParams(params.loop_closing), params.grid, params.likelihood) {}
 
 void LoopCloser::extendGraphs(const filter::ParticleSet& particles) {
   if (graphs_.empty()) {
@@ -205,7 +205,8 @@ void LoopCloser::recover(std::size_t name, filter::ParticleSet& particles, const
 
 void LoopCloser::search(filter::ParticleSet& particles, const Scans& scans) {
   if (!params_.loop_closing.enabled || !params_.loop_closing.search) return;
-  const auto closure = finder_.look(particles[particles.best()].ancestor, scans);
+  const auto closure = finder_.look(particles[particles.best()].ancestor, scans,
+                                    particles.figures().motion_covariance);
   if (!closure) return;
   const auto start = std::chrono::steady_clock::now();
   // What was saved after the beginning belongs to ways that are replaced.

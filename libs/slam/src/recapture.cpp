@@ -76,7 +76,9 @@ Recaptured Recapture::operator()(const filter::Particle& particle,
   if (!doubt.claimed) return {expected, kKept, Recaptured::By::odometry};
   const models::Match match = lookAbout(*doubt.claimed, {0.3, 12});
   if (match.score >= found) return {motionTo(match), kKnown, Recaptured::By::odometry};
-  return {expected, kKept, Recaptured::By::guess};
+  // Neither is sure: the robot is taken to be where the scan lies better.
+  const bool rather_there = match.score > lookAbout(expected, {0.3, 12}).score;
+  return {rather_there ? motionTo(match) : expected, kKept, Recaptured::By::guess};
 }
 
 }  // namespace ariadne::slam

@@ -52,16 +52,21 @@ class Finder {
  public:
   using Scans = std::vector<mrpt::obs::CObservation2DRangeScan::Ptr>;
 
-  Finder(const FinderParams& params, const DriftParams& drift, const grid::GridParams& grid,
+  Finder(const FinderParams& params, const grid::GridParams& grid,
          const grid::LikelihoodParams& likelihood);
 
   /// To be called after each update with the path of s*. Returns a closure that was found and
   /// confirmed.
   /// @param scans of all updates so far
-  std::optional<Closure> look(const filter::AncestorPtr& best, const Scans& scans);
+  /// @param motion_covariance of the last update's motion, see Track
+  std::optional<Closure> look(const filter::AncestorPtr& best, const Scans& scans,
+                              const Eigen::Matrix3d& motion_covariance);
+  /// The line of `leaf`, any particle's.
+  Track trackOf(const filter::AncestorPtr& leaf) const {
+    return closure::trackOf(leaf, motion_covariance_);
+  }
   /// Where the path closed by itself, and what was found.
   std::vector<Contact> contacts() const;
-  const DriftParams& drift() const { return drift_; }
 
  private:
   struct Old;
@@ -80,11 +85,11 @@ class Finder {
                                const mrpt::math::TPose2D& pose) const;
 
   FinderParams params_;
-  DriftParams drift_;
   ContactParams contact_;
   grid::GridParams grid_;
   grid::EndpointLikelihood likelihood_;
-  std::vector<ScanHits> hits_;  // by update
+  std::vector<ScanHits> hits_;  // by update, as the next
+  std::vector<Eigen::Matrix3d> motion_covariance_;
   std::vector<Contact> contacts_;
   std::vector<Contact> found_;
   std::size_t contacts_until_ = 0;

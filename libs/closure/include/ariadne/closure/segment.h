@@ -15,17 +15,6 @@
 
 namespace ariadne::closure {
 
-/// How far a path that scans were matched on drifts.
-struct DriftParams {
-  double along_per_sqrt_m = 0.03;    ///< m per root metre
-  double across_per_sqrt_m = 0.015;  ///< m per root metre
-  double turn_per_sqrt_m_deg = 0.3;  ///< degrees per root metre
-  double turn_per_turn = 0.02;       ///< rad per rad turned
-
-  /// Variances of (along, across, heading) of a step.
-  Eigen::Vector3d variances(double way_m, double turned_rad) const;
-};
-
 /// Covariance that no closure is known better than, m^2 and rad^2: maps are smeared by about a
 /// cell.
 Eigen::Matrix3d tieFloor();
@@ -52,10 +41,10 @@ struct SegmentSample {
 /// @param te update at which the segment begins; its pose stays
 /// @param rng null gives the mean
 SegmentSample drawSegment(const Track& track, std::size_t te, const std::vector<Tie>& ties,
-                          const DriftParams& drift, core::RandomStream* rng);
+                          core::RandomStream* rng);
 
-/// Covariance of the last pose of the path given each update, (x, y, heading), map frame: the steps
-/// since, nothing else.
-std::vector<Eigen::Matrix3d> driftSinceEach(const Track& track, const DriftParams& drift);
+/// Covariance of the last pose of the path given each update, (x, y, heading), map frame: the
+/// motions since, nothing else.
+std::vector<Eigen::Matrix3d> driftSinceEach(const Track& track);
 
 }  // namespace ariadne::closure

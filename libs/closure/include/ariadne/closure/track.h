@@ -4,6 +4,7 @@
 #include <mrpt/math/TPoint2D.h>
 #include <mrpt/math/TPose2D.h>
 
+#include <Eigen/Dense>
 #include <vector>
 
 #include "ariadne/filter/ancestry.h"
@@ -17,11 +18,16 @@ using ScanHits = std::vector<mrpt::math::TPoint2D>;
 struct Track {
   std::vector<mrpt::math::TPose2D> poses;  ///< map_from_robot, one per update
   std::vector<double> travelled_m;         ///< way from the beginning, one per update
+  /// Of the motion to each update: (x, y, heading) in the frame before it; the first counts
+  /// nothing.
+  std::vector<Eigen::Matrix3d> motion_covariance;
   std::size_t now() const { return poses.size() - 1; }
 };
 
 /// The line of `leaf`, whose updates count from 0.
-Track trackOf(const filter::AncestorPtr& leaf);
+/// @param motion_covariance of all updates up to the leaf's at the least
+Track trackOf(const filter::AncestorPtr& leaf,
+              const std::vector<Eigen::Matrix3d>& motion_covariance);
 
 mrpt::math::TPoint2D placed(const mrpt::math::TPose2D& pose, const mrpt::math::TPoint2D& p);
 std::vector<mrpt::math::TPoint2D> placed(const mrpt::math::TPose2D& pose,

@@ -70,6 +70,9 @@ class ParticleSet
     double log_likelihood = 0;  ///< mean by weight, untempered
     double evidence = 1;        ///< factor on this step's log weights: new ground, revisits
     bool resampled = false;
+    /// Of the motion of s* given odometry and scan: (x, y, heading) in the frame before it. The
+    /// odometry's own where no scan was matched.
+    Eigen::Matrix3d motion_covariance = Eigen::Matrix3d::Zero();
   };
   const Figures& figures() const { return figures_; }
 
@@ -98,6 +101,8 @@ class ParticleSet
                          const mrpt::obs::CSensoryFrame* observation);
   models::Motion motionOf(const mrpt::obs::CActionRobotMovement2D& movement) const;
   Outcome propose(std::size_t i, const models::Motion& motion) const;
+  void judgeMotion(const mrpt::math::TPose2D& increment, const models::Motion& motion,
+                   const Outcome& star);
   double evidenceOfPlace() const;
 
   FilterModels models_;

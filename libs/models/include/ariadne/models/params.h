@@ -28,10 +28,10 @@ struct MatcherParams {
 
 template <class V>
 void visitFields(V& v, MotionParams& p) {
-  v.flag("learn", p.learn,
-         "narrow what follows by what scan matching says of this log's odometry, and learn a "
-         "constant turn per "
-         "metre");
+  v.flag(
+      "learn", p.learn,
+      "narrow what follows by what scan matching says of this log's odometry, and learn how much "
+      "it turns and stretches each metre");
   v.number("turn_per_turn", p.turn_per_turn, {0, 2},
            "standard deviation of the turn, rad per rad of net turn");
   v.number("turn_per_m_deg", p.turn_per_m_deg, {0, 90},
