@@ -7,7 +7,7 @@ namespace ariadne::models {
 namespace {
 
 constexpr std::size_t kWindow = 200;
-constexpr double kPriorSteps = 10;      // the given width counts as this many steps
+constexpr double kPriorSteps = 4;       // the given width counts as this many steps
 constexpr double kBiasPriorSteps = 30;  // and a bias of zero as this many of a metre
 constexpr int kRounds = 3;
 constexpr double kFarthest = 2.5;
