@@ -172,8 +172,7 @@ Closure Finder::closureAt(const Track& track, const Old& old, const grid::Occupa
   closure.correction = models::relativePose(track.poses.back(), pose);
   const Eigen::Matrix3d known =
       kPieceGain * likelihood_.information(map, piece, pose) + 1e-3 * Eigen::Matrix3d::Identity();
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-  turn.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(-anchor.phi).toRotationMatrix();
+  const Eigen::Matrix3d turn = models::turnedBy(-anchor.phi);
   closure.information = (turn * known.inverse() * turn.transpose() + tieFloor()).inverse();
   std::vector<Tie> ties = tiesOf(track, contacts());
   ties.push_back(

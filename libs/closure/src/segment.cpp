@@ -62,8 +62,7 @@ Factor factorOf(const Tie& tie, const Track& track, const std::vector<std::size_
       const TPose2D key_from_first = models::relativePose(ka, track.poses[tie.first]);
       measured = models::compose(key_from_first, measured);
       // The information turns with the frame; the lever of under a metre is left out.
-      Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-      turn.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(key_from_first.phi).toRotationMatrix();
+      const Eigen::Matrix3d turn = models::turnedBy(key_from_first.phi);
       f.information = turn * tie.information * turn.transpose();
     }
   }
@@ -145,8 +144,7 @@ std::vector<Eigen::Matrix3d> driftSinceEach(const Track& track) {
   for (std::size_t k = track.now(); k > 0; --k) {
     const TPose2D& a = track.poses[k - 1];
     const TPose2D& b = track.poses[k];
-    Eigen::Matrix3d j = Eigen::Matrix3d::Identity();
-    j.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(a.phi).toRotationMatrix();
+    Eigen::Matrix3d j = models::turnedBy(a.phi);
     // A turn in this step swings the end about it.
     j(0, 2) = -(end.y - b.y);
     j(1, 2) = end.x - b.x;

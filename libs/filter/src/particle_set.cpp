@@ -140,8 +140,7 @@ void ParticleSet::judgeMotion(const mrpt::math::TPose2D& increment, const models
   const mrpt::math::TPose2D before = (*this)[best()].map_from_robot;
   const Eigen::Matrix3d covariance =
       (motion.covariance(before).inverse() + models::kCalibratedGain * star.information).inverse();
-  Eigen::Matrix3d to_robot = Eigen::Matrix3d::Identity();
-  to_robot.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(-before.phi).toRotationMatrix();
+  const Eigen::Matrix3d to_robot = models::turnedBy(-before.phi);
   figures_.motion_covariance = to_robot * covariance * to_robot.transpose();
   if (models_.motion.learn && star.match_accepted && !motion.isGiven())
     learner_.add(increment, models::relativePose(before, star.match), before, star.information,

@@ -18,12 +18,6 @@ constexpr double kNarrowest = 0.1;
 constexpr double kLeastTravel_m = 0.05;
 constexpr double kStraight_rad = 0.2;
 
-Eigen::Matrix3d turnedBy(double angle) {
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-  turn.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(angle).toRotationMatrix();
-  return turn;
-}
-
 }  // namespace
 
 MotionLearner::MotionLearner(const MotionParams& wide)

@@ -9,17 +9,6 @@ namespace ariadne::models {
 
 using mrpt::math::TPose2D;
 
-namespace {
-
-/// Turns (x, y, heading).
-Eigen::Matrix3d turnedBy(double angle) {
-  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-  rotation.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(angle).toRotationMatrix();
-  return rotation;
-}
-
-}  // namespace
-
 TPose2D relativePose(const TPose2D& a, const TPose2D& b) {
   const double c = std::cos(a.phi);
   const double s = std::sin(a.phi);
@@ -32,6 +21,12 @@ TPose2D compose(const TPose2D& a, const TPose2D& b) {
   const double c = std::cos(a.phi);
   const double s = std::sin(a.phi);
   return {a.x + c * b.x - s * b.y, a.y + s * b.x + c * b.y, mrpt::math::wrapToPi(a.phi + b.phi)};
+}
+
+Eigen::Matrix3d turnedBy(double angle) {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  rotation.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(angle).toRotationMatrix();
+  return rotation;
 }
 
 Eigen::Matrix3d composedCovariance(const TPose2D& a, const Eigen::Matrix3d& of_a, const TPose2D& b,

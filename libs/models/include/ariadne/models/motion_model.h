@@ -18,6 +18,9 @@ mrpt::math::TPose2D relativePose(const mrpt::math::TPose2D& a, const mrpt::math:
 /// a (+) b, heading in (-pi, pi].
 mrpt::math::TPose2D compose(const mrpt::math::TPose2D& a, const mrpt::math::TPose2D& b);
 
+/// Turns (x, y, heading) by an angle, rad.
+Eigen::Matrix3d turnedBy(double angle);
+
 /// Covariance of a (+) b in the frame that a starts in, from those of a and b, each in its own.
 Eigen::Matrix3d composedCovariance(const mrpt::math::TPose2D& a, const Eigen::Matrix3d& of_a,
                                    const mrpt::math::TPose2D& b, const Eigen::Matrix3d& of_b);

@@ -21,7 +21,7 @@ struct Gains {
 };
 
 /// The gain at which (Q^-1 + gain H)^-1, Q of the motion and H of the scan, is how far a matched
-/// step is truly off (doc/lab/large-loops.md, "How far steps are off").
+/// step is truly off (doc/lab/benchmarks/large-loops.md, "How far steps are off").
 constexpr double kCalibratedGain = 0.3;
 
 /// p(x | x', u) as a Gaussian: mean (map frame) and covariance of (x, y, heading).
