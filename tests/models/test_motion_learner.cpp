@@ -63,11 +63,11 @@ TEST(MotionLearner, StartsAsWideAsItIsTold) {
 }
 
 // 1.5 times the true spread is what it takes. A standard deviation over 200 steps scatters by 5 %,
-// the ten steps that the start counts for make it wider by a half here: bounds of three of the
+// the four steps that the start counts for make it wider by a quarter here: bounds of three of the
 // former.
 TEST(MotionLearner, NarrowsToWhatTheLogShows) {
   const auto scales = learned({}, 400, kSharp).scales();
-  const double expected = 1.5 * std::sqrt((200 * 0.2 * 0.2 + 10) / 210);
+  const double expected = 1.5 * std::sqrt((200 * 0.2 * 0.2 + 4) / 204);
   for (const double scale : scales) EXPECT_NEAR(scale, expected, 0.15 * expected);
 }
 
@@ -93,7 +93,7 @@ TEST(MotionLearner, IsNeverWiderThanItIsTold) {
 }
 
 // Noise of the matches is not taken for the odometry's: exact odometry, matches off by 5 cm. Taken
-// for the odometry's it would be a scale of 1; the ten steps that the start counts for hold 0.6.
+// for the odometry's it would be a scale of 1; the steps that the start counts for hold 0.5.
 TEST(OffsetFit, TellsTheNoiseOfMatchesFromThatOfTheOdometry) {
   models::OffsetFit fit(0.1);
   core::RandomStream rng(7, 0, 0, core::Purpose::test);

@@ -134,6 +134,17 @@ void ParticleSet::predictMatchWeigh(const mrpt::obs::CActionCollection* action,
   twin_ = parents_;
 }
 
+namespace {
+
+/// A way that no scan checks drifts by more than the noise of its steps, since wheels are not as
+/// round and as large as they are told: variances of (x, y, heading) per metre.
+Eigen::Matrix3d uncheckedDriftPerMetre() {
+  const double turn = 0.3 * M_PI / 180;
+  return Eigen::Vector3d(0.03, 0.015, turn).cwiseAbs2().asDiagonal();
+}
+
+}  // namespace
+
 /// What the step of s* tells about the odometry, and how well the step is known.
 void ParticleSet::judgeMotion(const mrpt::math::TPose2D& increment, const models::Motion& motion,
                               const Outcome& star) {
@@ -142,6 +153,8 @@ void ParticleSet::judgeMotion(const mrpt::math::TPose2D& increment, const models
       (motion.covariance(before).inverse() + models::kCalibratedGain * star.information).inverse();
   const Eigen::Matrix3d to_robot = models::turnedBy(-before.phi);
   figures_.motion_covariance = to_robot * covariance * to_robot.transpose();
+  if (star.information.isZero(0))
+    figures_.motion_covariance += std::hypot(increment.x, increment.y) * uncheckedDriftPerMetre();
   if (models_.motion.learn && star.match_accepted && !motion.isGiven())
     learner_.add(increment, models::relativePose(before, star.match), before, star.information,
                  models_.filter.proposal_gain);

@@ -71,7 +71,7 @@ class ParticleSet
     double evidence = 1;        ///< factor on this step's log weights: new ground, revisits
     bool resampled = false;
     /// Of the motion of s* given odometry and scan: (x, y, heading) in the frame before it. The
-    /// odometry's own where no scan was matched.
+    /// odometry's own, and the drift of wheels, where no scan was matched.
     Eigen::Matrix3d motion_covariance = Eigen::Matrix3d::Zero();
   };
   const Figures& figures() const { return figures_; }
