@@ -153,7 +153,7 @@ std::string loopsJson(const std::vector<slam::ClosingRecord>& closings,
 std::vector<std::string> loopWarnings(const std::vector<slam::ClosingRecord>& closings) {
   std::vector<std::string> warnings;
   for (const slam::ClosingRecord& c : closings)
-    if (!c.note.empty()) warnings.push_back(fmt::format("closing {}: {}", c.closing.name, c.note));
+    if (c.dropped) warnings.push_back(fmt::format("closing {}: {}", c.closing.name, c.note));
   return warnings;
 }
 

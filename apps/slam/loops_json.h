@@ -15,7 +15,8 @@ std::string loopsJson(const std::vector<slam::ClosingRecord>& closings,
                       const std::vector<slam::StepReport>& reports,
                       const topology::OpportunityParams& bounds);
 
-/// What a user should know of closings that did not come to a recovery.
+/// Closings whose saved sets took too much memory: there is something to turn. That a log ended
+/// within a loop, or that recovery is off, stands in loops.json alone.
 std::vector<std::string> loopWarnings(const std::vector<slam::ClosingRecord>& closings);
 
 }  // namespace ariadne::slam_app

@@ -122,10 +122,11 @@ TEST_F(SlamLoops, CountsAndNotesAreTheSameEverywhere) {
                                  loops["recovered"].get<int>())),
             std::string::npos)
       << out;
-  const std::string warning = "still open at the end of the log: nothing was recovered";
-  EXPECT_NE(err.find("ariadne-slam: warning: closing "), std::string::npos) << err;
-  EXPECT_NE(err.find(warning), std::string::npos) << err;
-  EXPECT_NE(summary["warnings"].dump().find(warning), std::string::npos);
+  // A log that ends within a loop is no fault: it is told where the loops stand.
+  const std::string note = "still open at the end of the log: nothing was recovered";
+  EXPECT_NE(loops["closings"].dump().find(note), std::string::npos) << loops["closings"];
+  EXPECT_EQ(err.find(note), std::string::npos) << err;
+  EXPECT_EQ(summary["warnings"].dump().find(note), std::string::npos);
 }
 
 // Orange is the colour of the first recovery. Its solid curve runs over the 154 of 216 updates
@@ -150,7 +151,8 @@ TEST_F(SlamLoops, WithoutRecoveryClosingsAreStillTold) {
   const json loops = json::parse(written("loops.json"));
   EXPECT_GE(loops["closed"], 1);
   EXPECT_EQ(loops["recovered"], 0);
-  EXPECT_NE(err.find("recovery is off"), std::string::npos) << err;
+  EXPECT_NE(loops["closings"].dump().find("recovery is off"), std::string::npos);
+  EXPECT_EQ(err.find("recovery is off"), std::string::npos) << err;
 }
 
 TEST_F(SlamLoops, ASavedSetOverTheBudgetIsDroppedAndSaid) {

@@ -166,11 +166,13 @@ void LoopCloser::save(std::size_t name, const filter::ParticleSet& particles) {
   record.saved = posesOf(set);
   record.memory_mb = static_cast<double>(set.mapBytes()) / 1e6;
   extras_[name].saving = std::move(record);
-  for (const std::size_t dropped : stack_.push(name, std::move(set)))
+  for (const std::size_t dropped : stack_.push(name, std::move(set))) {
+    extras_[dropped].dropped = true;
     extras_[dropped].note = fmt::format(
         "the saved set was dropped, so nothing was recovered: saved sets took more than "
         "recovery.memory_budget_mb = {}",
         params_.recovery.memory_budget_mb);
+  }
 }
 
 void LoopCloser::recover(std::size_t name, filter::ParticleSet& particles, const Scans& scans) {
@@ -241,7 +243,7 @@ std::vector<ClosingRecord> LoopCloser::records() const {
   std::vector<ClosingRecord> records;
   for (const closing::Closing& c : watcher_.closings()) {
     const Extra& extra = extras_[c.name];
-    records.push_back({c, extra.saving, extra.recovery, extra.note});
+    records.push_back({c, extra.saving, extra.recovery, extra.note, extra.dropped});
     std::string& note = records.back().note;
     if (!note.empty() || extra.recovery) continue;
     note = c.ended ? "nothing was recovered: " + c.end_reason

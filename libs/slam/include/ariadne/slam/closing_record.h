@@ -56,6 +56,8 @@ struct ClosingRecord {
   std::optional<SavingRecord> saving;
   std::optional<RecoveryRecord> recovery;
   std::string note;  ///< why there was no recovery, where there was none
+  /// What could have been recovered was dropped, since sets took too much memory.
+  bool dropped = false;
 };
 
 }  // namespace ariadne::slam

@@ -70,6 +70,7 @@ class LoopCloser {
     std::optional<SavingRecord> saving;
     std::optional<RecoveryRecord> recovery;
     std::string note;
+    bool dropped = false;  ///< its saved set, for memory
   };
 
   SlamParams params_;
