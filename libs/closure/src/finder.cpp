@@ -70,10 +70,11 @@ std::optional<Closure> Finder::look(const filter::AncestorPtr& best, const Scans
                                     const Eigen::Matrix3d& motion_covariance) {
   takeScans(scans);
   motion_covariance_.push_back(motion_covariance);
-  const Track track = trackOf(best);
+  Track track = closure::trackOf(best, {});
   const double travelled = track.travelled_m.back();
   if (travelled < looked_m_ + params_.every_m && travelled > looked_m_ - 5) return std::nullopt;
   looked_m_ = travelled;
+  track.motion_covariance = motion_covariance_;
   for (; contacts_until_ <= track.now(); ++contacts_until_)
     for (const Contact& c : findContacts(track, hits_, contacts_until_, contact_))
       contacts_.push_back(c);

@@ -5,7 +5,6 @@
 #include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CActionRobotMovement2D.h>
 #include <mrpt/obs/CSensoryFrame.h>
-#include <mrpt/poses/CPose3DPDFGaussian.h>
 #include <mrpt/poses/CPosePDFGaussian.h>
 #include <mrpt/random/RandomGenerators.h>
 
@@ -21,6 +20,7 @@
 #include "ariadne/slam/pose_path.h"
 #include "dead_reckoning.h"
 #include "recapture.h"
+#include "simple_map.h"
 
 namespace ariadne::slam {
 namespace {
@@ -65,17 +65,6 @@ mrpt::obs::CActionCollection actionOf(const TPose2D& increment, const Eigen::Mat
 void seedMrpt(std::uint64_t seed, std::size_t step) {
   core::RandomStream stream(seed, static_cast<std::uint32_t>(step), 0, core::Purpose::resampling);
   mrpt::random::getRandomGenerator().randomize(stream.bits());
-}
-
-/// Every scan of the simple map at the mean of its pose.
-grid::OccupancyGrid gridOf(const mrpt::maps::CSimpleMap& known, const grid::GridParams& params) {
-  grid::OccupancyGrid map(params);
-  for (const auto& [pose, frame] : known)
-    for (const auto& observation : *frame)
-      if (const auto* scan =
-              dynamic_cast<const mrpt::obs::CObservation2DRangeScan*>(observation.get()))
-        map.insert(grid::makeScanShape(*scan, params), TPose2D(pose->getMeanVal().asTPose()));
-  return map;
 }
 
 }  // namespace
@@ -266,19 +255,7 @@ TPose2D Mapper::pose() const {
 const filter::ParticleSet& Mapper::particles() const { return impl_->particles; }
 
 mrpt::maps::CSimpleMap Mapper::simpleMap() const {
-  std::vector<TPose2D> poses(impl_->scans.size());
-  forEachAncestor(impl_->particles[impl_->particles.best()].ancestor,
-                  [&](const filter::Ancestor& a) {
-                    poses[a.step()] = a.pose();
-                    return true;
-                  });
-  mrpt::maps::CSimpleMap map;
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    auto frame = mrpt::obs::CSensoryFrame::Create();
-    frame->insert(impl_->scans[i]);
-    map.insert(mrpt::poses::CPose3DPDFGaussian::Create(mrpt::poses::CPose3D(poses[i])), frame);
-  }
-  return map;
+  return simpleMapOf(impl_->scans, impl_->particles[impl_->particles.best()].ancestor);
 }
 
 const std::vector<topology::PlaceGraph>& Mapper::graphs() const { return impl_->loops.graphs(); }

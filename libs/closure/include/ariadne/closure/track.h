@@ -25,7 +25,7 @@ struct Track {
 };
 
 /// The line of `leaf`, whose updates count from 0.
-/// @param motion_covariance of all updates up to the leaf's at the least
+/// @param motion_covariance of all updates up to the leaf's at the least, or empty
 Track trackOf(const filter::AncestorPtr& leaf,
               const std::vector<Eigen::Matrix3d>& motion_covariance);
 
