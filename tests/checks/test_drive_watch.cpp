@@ -57,6 +57,11 @@ TEST(DriveWatch, CountsBlindScansByShareOfReturns) {
   DriveWatch near(short_sighted, 0.1);
   near.add({0, {}, blindScan(50)});
   EXPECT_EQ(near.figures().blind_scans, 1U);
+  grid::GridParams clears;
+  clears.no_return_free_m = 5;
+  DriveWatch sees_space(clears, 0.1);
+  sees_space.add({0, {}, blindScan(0)});
+  EXPECT_EQ(sees_space.figures().blind_scans, 0U);  // an empty scan clears the map
 }
 
 TEST(DriveWatch, JumpsAreNoWay) {

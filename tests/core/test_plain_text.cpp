@@ -41,7 +41,12 @@ TEST(PlainText, EveryEncodingGivesTheSame) {
 TEST(PlainText, LineEndsOfWindowsBecomePlain) {
   EXPECT_EQ(plainText("a\r\nb\r\n"), "a\nb\n");
   EXPECT_EQ(plainText("\xFF\xFE"s + wide(U"a\r\nb\r", 2, false)), "a\nb\r");
-  EXPECT_EQ(plainText("\r"), "\r");
+}
+
+TEST(PlainText, LoneCarriageReturnsEndLinesWhereNothingElseDoes) {
+  EXPECT_EQ(plainText("a\rb\r"), "a\nb\n");
+  EXPECT_EQ(plainText("\xFE\xFF"s + wide(U"a\rb", 2, true)), "a\nb");
+  EXPECT_EQ(plainText("a\rb\n"), "a\rb\n");
 }
 
 TEST(PlainText, OtherBytesStayAsTheyAre) {

@@ -23,11 +23,14 @@ std::string utf16(const std::string& ascii, bool big_endian, bool mark) {
 
 /// The same text in every encoding, with line ends of either kind.
 std::vector<std::string> encodings(const std::string& text) {
-  std::string windows;
+  std::string windows, mac = text;
   for (const char c : text) windows += c == '\n' ? "\r\n" : std::string(1, c);
-  return {"\xEF\xBB\xBF" + text,   "\xEF\xBB\xBF" + windows,   utf16(text, false, true),
-          utf16(text, true, true), utf16(windows, true, true), utf16(text, false, false),
-          utf16(text, true, false)};
+  std::replace(mac.begin(), mac.end(), '\n', '\r');
+  return {"\xEF\xBB\xBF" + text,      "\xEF\xBB\xBF" + windows,
+          utf16(text, false, true),   utf16(text, true, true),
+          utf16(windows, true, true), utf16(text, false, false),
+          utf16(text, true, false),   mac,
+          utf16(mac, false, true)};
 }
 
 void writePacked(const std::filesystem::path& path, const std::string& bytes) {

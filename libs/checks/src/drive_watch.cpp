@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "ariadne/grid/scan_shape.h"
 #include "ariadne/models/motion_model.h"
 
 namespace ariadne::checks {
@@ -23,19 +24,10 @@ bool within(const mrpt::math::TPose2D& way, double distance_m, double angle_rad)
 
 }  // namespace
 
-bool DriveWatch::isBlind(const mrpt::obs::CObservation2DRangeScan& scan) const {
-  const std::size_t size = scan.getScanSize();
-  const double enough = least_returns_ * static_cast<double>(size);
-  double returned = 0;
-  for (std::size_t i = 0; i < size && returned < enough; ++i)
-    returned += scan.getScanRangeValidity(i) && scan.getScanRange(i) < grid_.insert_range_m;
-  return returned < enough;
-}
-
 void DriveWatch::add(const models::SensorStep& step) {
   if (!step.scan) return;
   const bool first = figures_.scans++ == 0;
-  figures_.blind_scans += isBlind(*step.scan);
+  figures_.blind_scans += grid::isBlind(*step.scan, grid_, least_returns_);
   if (!first && !step.odometry_jumped)
     figures_.odometry_m +=
         std::hypot(step.odom_from_robot.x - last_.x, step.odom_from_robot.y - last_.y);

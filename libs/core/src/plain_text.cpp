@@ -73,6 +73,12 @@ void TextDecoder::finish(std::string& out) {
   waiting_.clear();
 }
 
+char lineEnd(std::string_view beginning) {
+  const bool other =
+      beginning.find('\n') != beginning.npos || beginning.find('\0') != beginning.npos;
+  return !other && beginning.find('\r') != beginning.npos ? '\r' : '\n';
+}
+
 std::string plainText(std::string bytes) {
   const TextStart start = startOfText(bytes);
   bytes.erase(0, start.mark);
@@ -83,7 +89,10 @@ std::string plainText(std::string bytes) {
     decoder.finish(text);
     bytes = std::move(text);
   }
-  const auto line_end = std::search(bytes.begin(), bytes.end(), "\r\n", "\r\n" + 2);
+  if (lineEnd(bytes) == '\r') std::replace(bytes.begin(), bytes.end(), '\r', '\n');
+  constexpr std::string_view kOfWindows = "\r\n";
+  const auto line_end =
+      std::search(bytes.begin(), bytes.end(), kOfWindows.begin(), kOfWindows.end());
   if (line_end == bytes.end()) return bytes;
   auto to = line_end;
   for (auto from = line_end; from != bytes.end(); ++from)

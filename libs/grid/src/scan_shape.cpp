@@ -107,6 +107,16 @@ std::vector<TPoint2D> scanPoints(const CObservation2DRangeScan& scan, double max
   return points;
 }
 
+bool isBlind(const CObservation2DRangeScan& scan, const GridParams& params, double least_returns) {
+  if (params.no_return_free_m > 0) return false;
+  const std::size_t n = scan.getScanSize();
+  const double enough = least_returns * static_cast<double>(n);
+  double returns = 0;
+  for (std::size_t i = 0; i < n && returns < enough; ++i)
+    returns += returned(scan, i) && scan.getScanRange(i) < params.insert_range_m;
+  return returns < enough;
+}
+
 std::vector<TPoint2D> scanFeatures(const CObservation2DRangeScan& scan, double max_range_m,
                                    double few) {
   const std::size_t n = scan.getScanSize();

@@ -98,11 +98,12 @@ std::string_view InputFile::peek(std::size_t count) {
 }
 
 bool InputFile::line(std::string_view& out, bool& too_long) {
+  if (line_end_ == '\0') line_end_ = core::lineEnd(peek(kBlock));
   std::size_t searched = 0;
   too_long = false;
   for (;;) {
     const std::string_view here = peek(searched + 1);
-    const std::size_t end = here.find('\n', searched);
+    const std::size_t end = here.find(line_end_, searched);
     if (end != here.npos) {
       out = here.substr(0, end);
       skip(end + 1);

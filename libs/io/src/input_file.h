@@ -50,6 +50,7 @@ class InputFile {
   std::unique_ptr<core::TextDecoder> decoder_;
   std::string decoded_;
   bool started_ = false;
+  char line_end_ = '\0';  ///< known with the first line
   std::size_t begin_ = 0;
   std::uint64_t end_offset_ = 0;
   std::size_t last_block_ = 0;

@@ -5,6 +5,7 @@
 
 #include "ariadne/core/error.h"
 #include "ariadne/core/names.h"
+#include "ariadne/core/plain_text.h"
 #include "input_file.h"
 
 namespace ariadne::io {
@@ -38,8 +39,9 @@ bool isText(std::string_view bytes) {
 
 bool beginsLikeLog(std::string_view text) {
   if (!isText(text)) return true;
+  const char line_end = core::lineEnd(text);
   while (!text.empty()) {
-    const std::string_view line = text.substr(0, text.find('\n'));
+    const std::string_view line = text.substr(0, text.find(line_end));
     text.remove_prefix(std::min(line.size() + 1, text.size()));
     if (const auto content = contentOf(line); !content.empty()) return !isOfIni(content);
   }

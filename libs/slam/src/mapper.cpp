@@ -16,6 +16,7 @@
 #include "ariadne/core/random.h"
 #include "ariadne/filter/particle_set.h"
 #include "ariadne/grid/conversion.h"
+#include "ariadne/grid/scan_shape.h"
 #include "ariadne/slam/loop_closer.h"
 #include "ariadne/slam/pose_path.h"
 #include "dead_reckoning.h"
@@ -87,13 +88,6 @@ struct Mapper::Impl {
     const TPose2D moved = reckoning.sinceUpdate();
     return std::hypot(moved.x, moved.y) >= params.update.update_distance_m ||
            std::abs(moved.phi) >= mrpt::DEG2RAD(params.update.update_angle_deg);
-  }
-  /// Tells nothing. Where beams without return clear the map, even an empty scan tells something.
-  bool isBlind(const mrpt::obs::CObservation2DRangeScan& scan) const {
-    if (params.grid.no_return_free_m > 0) return false;
-    const auto returned = grid::scanPoints(scan, params.grid.insert_range_m).size();
-    return static_cast<double>(returned) <
-           params.update.least_returns * static_cast<double>(scan.getScanSize());
   }
 
   std::optional<Recaptured> recaptured(const mrpt::obs::CObservation2DRangeScan& scan);
@@ -181,7 +175,7 @@ std::optional<StepReport> Mapper::process(const models::SensorStep& step) {
   Impl& m = *impl_;
   TPose2D here = m.reckoning.add(step);
   const bool due = m.due(step);
-  const bool blind = due && m.isBlind(*step.scan);
+  const bool blind = due && grid::isBlind(*step.scan, m.params.grid, m.params.update.least_returns);
   if (blind) {
     m.reckoning.passBlind();
     ++m.doubts.blind_scans;

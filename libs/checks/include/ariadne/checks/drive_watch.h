@@ -17,8 +17,7 @@ struct DriveFigures {
 
 class DriveWatch {
  public:
-  /// @param least_returns a scan is blind of which a smaller share of the beams returned within
-  /// grid.insert_range_m
+  /// @param least_returns of grid::isBlind()
   DriveWatch(const grid::GridParams& grid, double least_returns)
       : grid_(grid), least_returns_(least_returns) {}
 
@@ -26,7 +25,6 @@ class DriveWatch {
   const DriveFigures& figures() const { return figures_; }
 
  private:
-  bool isBlind(const mrpt::obs::CObservation2DRangeScan& scan) const;
   void stand(const models::SensorStep& step);
 
   grid::GridParams grid_;

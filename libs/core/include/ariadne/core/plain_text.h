@@ -38,7 +38,10 @@ class TextDecoder {
   std::size_t unit_;  ///< bytes to pass over where they are no character
 };
 
-/// A whole file's text; "\r\n" becomes "\n".
+/// What ends a line: '\r' in a text without any '\n', as old Macs and some spreadsheets write it.
+char lineEnd(std::string_view beginning);
+
+/// A whole file's text; "\r\n" and a lone lineEnd() become "\n".
 std::string plainText(std::string bytes);
 
 }  // namespace ariadne::core

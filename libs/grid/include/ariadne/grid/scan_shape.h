@@ -26,6 +26,11 @@ ScanShape makeScanShape(const mrpt::obs::CObservation2DRangeScan& scan, const Gr
 std::vector<mrpt::math::TPoint2D> scanPoints(const mrpt::obs::CObservation2DRangeScan& scan,
                                              double max_range_m);
 
+/// True where under `least_returns` of the beams ended within the insertion range, so that the scan
+/// tells nothing. Where beams without return clear the map, even an empty scan tells something.
+bool isBlind(const mrpt::obs::CObservation2DRangeScan& scan, const GridParams& params,
+             double least_returns);
+
 /// Under this share of returns a scan's ends of walls are left out of matching.
 constexpr double kFewReturns = 0.4;
 
