@@ -60,10 +60,13 @@ void TiledGridMap::TMapDefinition::dumpToTextStream_map_specific(std::ostream& o
                      likelihood.hit_weight);
 }
 
-mrpt::maps::CMetricMap* TiledGridMap::internal_CreateFromMapDefinition(
-    const mrpt::maps::TMetricMapInitializer& definition) {
+// MRPT takes a plain pointer up to 2.5, a shared one later: whichever it declared.
+auto TiledGridMap::internal_CreateFromMapDefinition(
+    const mrpt::maps::TMetricMapInitializer& definition)
+    -> decltype(internal_CreateFromMapDefinition(definition)) {
+  using Result = decltype(internal_CreateFromMapDefinition(definition));
   const auto& d = dynamic_cast<const TMapDefinition&>(definition);
-  return new TiledGridMap(d.grid, d.likelihood);
+  return Result(new TiledGridMap(d.grid, d.likelihood));
 }
 
 TiledGridMap::TiledGridMap(const GridParams& params, const LikelihoodParams& likelihood)
