@@ -12,8 +12,10 @@ function(ariadne_add_library name)
   target_link_libraries(ariadne_${name} PUBLIC ${ARG_DEPENDS})
   ariadne_set_options(ariadne_${name})
   install(TARGETS ariadne_${name} EXPORT ariadne-targets
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+  install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
+  set_property(GLOBAL APPEND PROPERTY ARIADNE_LIBRARIES ${name})
 endfunction()
 
 # Warnings, sanitizers, clang-tidy and ARIADNE_UNITY, for everything that is ours.
@@ -76,7 +78,8 @@ function(ariadne_add_app name)
   target_link_libraries(${name} PRIVATE ${ARG_DEPENDS})
   ariadne_set_options(${name})
   ariadne_start_fast(${name})
-  install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT programs)
+  set_property(GLOBAL APPEND PROPERTY ARIADNE_PROGRAMS ${name})
 endfunction()
 
 # ariadne_add_test(NAME SOURCES ... DEPENDS ...): a GoogleTest program, each case its own ctest.
