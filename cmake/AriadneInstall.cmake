@@ -2,7 +2,8 @@
 # packages of AriadnePackages.cmake.
 include(CMakePackageConfigHelpers)
 get_property(programs GLOBAL PROPERTY ARIADNE_PROGRAMS)
-list(REMOVE_ITEM programs ariadne-example-builder ariadne-stock-rbpf)  # not for the user's hands
+get_property(component_names GLOBAL PROPERTY ARIADNE_LIBRARIES)
+list(JOIN component_names ", " component_names)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/ariadne)
 configure_package_config_file(cmake/ariadne-config.cmake.in ${CMAKE_BINARY_DIR}/ariadne-config.cmake
   INSTALL_DESTINATION ${package_dir})

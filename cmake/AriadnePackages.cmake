@@ -3,6 +3,7 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME ariadne)
 set(CPACK_PACKAGE_VENDOR "the Ariadne authors")
 set(CPACK_PACKAGE_CONTACT "the Ariadne authors <maintainers@users.noreply.h-seed-7f50206f.example>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package has its own
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
@@ -17,8 +18,9 @@ set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME ariadne-slam)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS "gnuplot-nox, mrpt-common")
 set(CPACK_DEBIAN_PROGRAMS_DESCRIPTION "${PROJECT_DESCRIPTION}
- Maps logs of a laser scanner and odometry, explores simulated buildings, and compares
- runs. Reads MRPT rawlogs, CARMEN logs and ROS recordings, writes what MRPT and ROS read.")
+Maps logs of a laser scanner and odometry, explores simulated buildings, and
+compares runs. Reads MRPT rawlogs, CARMEN logs and ROS recordings, writes what
+MRPT and ROS read.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libariadne-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libmrpt-slam-dev, libmrpt-maps-dev, libmrpt-obs-dev, libmrpt-bayes-dev, \
@@ -26,11 +28,11 @@ libmrpt-kinematics-dev, libeigen3-dev, libtbb-dev, libfmt-dev, nlohmann-json3-de
 libcairo2-dev, libpng-dev, zlib1g-dev, libyaml-cpp-dev, libfastcdr-dev, libsqlite3-dev, libbz2-dev, liblz4-dev, \
 libzstd-dev, pkg-config")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "${PROJECT_DESCRIPTION} (library)
- Static libraries and headers: the filter, its grid, loops and recovery, simulation,
- exploration.")
+Static libraries and headers: the filter, its grid, loops and recovery,
+simulation, exploration.")
 set(CPACK_DEBIAN_DOCUMENTS_PACKAGE_NAME ariadne-doc)
 set(CPACK_DEBIAN_DOCUMENTS_PACKAGE_SECTION doc)
 set(CPACK_DEBIAN_DOCUMENTS_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_DOCUMENTS_DESCRIPTION "${PROJECT_DESCRIPTION} (documents)
- Parameters, models, experiments and what they showed.")
+Parameters, models, experiments and what they showed.")
 include(CPack)

@@ -1,4 +1,4 @@
-// Maps the log of scripts/test-packages by the installed library.
+// Maps the log of tests/packages/try-programs by the installed library.
 #include <iostream>
 
 #include "ariadne/io/dataset.h"
