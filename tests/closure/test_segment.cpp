@@ -35,6 +35,7 @@ Track curve(std::size_t n, double step_m, double turn, const TPose2D& start = {0
   for (std::size_t k = 0; k <= n; ++k) {
     track.poses.push_back(pose);
     track.travelled_m.push_back(step_m * static_cast<double>(k));
+    track.motions.emplace_back(step_m, 0, turn);
     pose = models::compose(pose, {step_m, 0, turn});
   }
   return drifting(track, {});
@@ -120,6 +121,20 @@ TEST(Segment, SamplesHaveTheMeanAndSpreadOfTheClosedForm) {
   const double expected = 0.05 * std::sqrt(100.0) / 2;
   EXPECT_NEAR(mean, 50.5, 4 * expected / std::sqrt(static_cast<double>(samples)));
   EXPECT_NEAR(sigma, expected, 0.12 * expected);
+}
+
+// A path that an earlier closure drew with its own noise: the next draw goes by what was measured,
+// or each closure would add the whole noise once more.
+TEST(Segment, WhatWasBentBeforeIsDrawnFromTheMeasuredMotions) {
+  const Track straight = drifting(curve(100, 1, 0), {0.05, 0.05, 0.1});
+  Track bent = straight;
+  for (std::size_t k = 0; k <= 100; ++k)
+    bent.poses[k].y = 2 * std::sin(M_PI * static_cast<double>(k) / 100);
+  const std::vector<closure::Tie> ties = {tie(0, 100, {101, 0, 0}, 0.05)};
+  const auto expected = closure::drawSegment(straight, 0, ties, nullptr);
+  const auto mean = closure::drawSegment(bent, 0, ties, nullptr);
+  for (std::size_t k = 0; k < 100; ++k) EXPECT_LT(off(mean.poses[k], expected.poses[k]), 1e-3);
+  EXPECT_NEAR(mean.cost, expected.cost, 1e-3);
 }
 
 TEST(Segment, DriftGrowsWithTheWayAndSwingsAboutTurns) {

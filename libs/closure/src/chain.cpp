@@ -76,8 +76,8 @@ double Chain::step() {
   }
   Eigen::SparseMatrix<double> hessian(n, n);
   hessian.setFromTriplets(entries.begin(), entries.end());
-  if (!analysed_) solver_.analyzePattern(hessian);
-  analysed_ = true;
+  if (analysed_ != factors_.size()) solver_.analyzePattern(hessian);
+  analysed_ = factors_.size();
   solver_.factorize(hessian);
   if (solver_.info() != Eigen::Success) throw std::runtime_error("closure: the chain is singular");
   const Eigen::VectorXd by = solver_.solve(gradient);

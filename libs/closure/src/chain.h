@@ -50,7 +50,7 @@ class Chain {
   std::vector<mrpt::math::TPose2D> poses_;
   std::vector<Factor> factors_;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
-  bool analysed_ = false;
+  std::size_t analysed_ = 0;  // factors that the solver's pattern is of
 };
 
 }  // namespace ariadne::closure

@@ -176,13 +176,14 @@ Closure Finder::closureAt(const Track& track, const Old& old, const grid::Occupa
   const Eigen::Matrix3d turn = models::turnedBy(-anchor.phi);
   closure.information = (turn * known.inverse() * turn.transpose() + tieFloor()).inverse();
   std::vector<Tie> ties = tiesOf(track, contacts());
+  const SegmentSample without = drawSegment(track, 0, ties, nullptr);
   ties.push_back(
       {closure.anchor, track.now(), closure.anchor_from_robot, closure.information, false});
   const SegmentSample mean = drawSegment(track, 0, ties, nullptr);
   closure.cost = mean.cost;
   closure.begin = 0;
   while (closure.begin < closure.anchor &&
-         !moved(track.poses[closure.begin + 1], mean.poses[closure.begin]))
+         !moved(without.poses[closure.begin], mean.poses[closure.begin]))
     ++closure.begin;
   return closure;
 }
@@ -237,7 +238,7 @@ std::optional<Closure> Finder::search(const Track& track, const Scans& scans) {
 /// The closure ties the path from now on. The last metres will lie over what they are tied to:
 /// whether their scans agree is seen anew.
 void Finder::keep(const Track& track, const Closure& closure) {
-  found_.push_back({closure.anchor, track.now(), closure.information});
+  found_.push_back({closure.anchor, track.now(), closure.information, closure.anchor_from_robot});
   while (contacts_until_ > 0 &&
          track.travelled_m.back() - track.travelled_m[contacts_until_ - 1] < params_.piece_m)
     --contacts_until_;

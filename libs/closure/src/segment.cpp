@@ -27,15 +27,19 @@ std::vector<std::size_t> keyframesOf(const Track& track, std::size_t te) {
   return keys;
 }
 
-/// Covariance of the motion from one update to a later one, in the frame of the first. A little is
-/// left to motions that cannot be wrong, so that the chain is never singular.
-Eigen::Matrix3d motionBetween(const Track& track, std::size_t from, std::size_t to) {
-  Eigen::Matrix3d sum = Eigen::Vector3d(1e-6, 1e-6, 1e-8).asDiagonal();
-  TPose2D at;
+struct MeasuredMotion {
+  TPose2D mean;
+  Eigen::Matrix3d covariance;
+};
+
+/// The motion from one update to a later one as it was measured, in the frame of the first. A
+/// little is left to motions that cannot be wrong, so that the chain is never singular.
+MeasuredMotion motionBetween(const Track& track, std::size_t from, std::size_t to) {
+  MeasuredMotion sum{{}, Eigen::Vector3d(1e-6, 1e-6, 1e-8).asDiagonal()};
   for (std::size_t k = from + 1; k <= to; ++k) {
-    const TPose2D motion = models::relativePose(track.poses[k - 1], track.poses[k]);
-    sum = models::composedCovariance(at, sum, motion, track.motion_covariance[k]);
-    at = models::compose(at, motion);
+    sum.covariance = models::composedCovariance(sum.mean, sum.covariance, track.motions[k],
+                                                track.motion_covariance[k]);
+    sum.mean = models::compose(sum.mean, track.motions[k]);
   }
   return sum;
 }
@@ -104,32 +108,47 @@ std::vector<Tie> tiesOf(const Track& track, const std::vector<Contact>& contacts
   for (const Contact& c : contacts)
     if (c.second <= track.now())
       ties.push_back({c.first, c.second,
-                      models::relativePose(track.poses[c.first], track.poses[c.second]),
+                      c.first_from_second
+                          ? *c.first_from_second
+                          : models::relativePose(track.poses[c.first], track.poses[c.second]),
                       (c.information.inverse() + tieFloor()).inverse(), true});
   return ties;
 }
+
+namespace {
+
+void addMotions(const Track& track, const std::vector<std::size_t>& keys, Chain& chain) {
+  for (std::size_t i = 1; i < keys.size(); ++i) {
+    const auto node = static_cast<int>(i) - 1;
+    const MeasuredMotion motion = motionBetween(track, keys[i - 1], keys[i]);
+    chain.poses()[i - 1] = track.poses[keys[i]];
+    chain.factors().push_back({node - 1, track.poses[keys.front()], node, vectorOf(motion.mean),
+                               motion.covariance.inverse(), false});
+  }
+}
+
+}  // namespace
 
 SegmentSample drawSegment(const Track& track, std::size_t te, const std::vector<Tie>& ties,
                           core::RandomStream* rng) {
   const std::vector<std::size_t> keys = keyframesOf(track, te);
   if (keys.size() < 2) return {};
   Chain chain(keys.size() - 1);
-  for (std::size_t i = 1; i < keys.size(); ++i) {
-    const auto node = static_cast<int>(i) - 1;
-    chain.poses()[i - 1] = track.poses[keys[i]];
-    chain.factors().push_back(
-        {node - 1, track.poses[te], node,
-         vectorOf(models::relativePose(track.poses[keys[i - 1]], track.poses[keys[i]])),
-         motionBetween(track, keys[i - 1], keys[i]).inverse(), false});
-  }
-  for (const Tie& tie : ties) {
-    if (tie.second > track.now() || tie.second < keys[1]) continue;
-    Factor f = factorOf(tie, track, keys);
-    if (f.a != f.b) chain.factors().push_back(std::move(f));
-  }
+  addMotions(track, keys, chain);
+  const auto add = [&](bool doubted) {
+    for (const Tie& tie : ties) {
+      if (tie.doubted != doubted || tie.second > track.now() || tie.second < keys[1]) continue;
+      Factor f = factorOf(tie, track, keys);
+      if (f.a != f.b) chain.factors().push_back(std::move(f));
+    }
+  };
   SegmentSample out;
+  add(true);
   chain.optimise(6);
-  out.cost = chain.cost();
+  out.cost = -chain.cost();
+  add(false);
+  chain.optimise(6);
+  out.cost += chain.cost();
   if (rng) {
     chain.perturb(*rng);
     chain.optimise(3);

@@ -14,8 +14,10 @@ Track trackOf(const filter::AncestorPtr& leaf,
   Track track;
   track.motion_covariance = motion_covariance;
   track.poses.resize(leaf->step() + 1);
+  track.motions.resize(leaf->step() + 1);
   filter::forEachAncestor(leaf, [&](const filter::Ancestor& a) {
     track.poses[a.step()] = a.pose();
+    track.motions[a.step()] = a.motion();
     return true;
   });
   double sum = 0;

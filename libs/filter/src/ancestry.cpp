@@ -4,8 +4,15 @@
 #include <cmath>
 
 #include "ariadne/core/release_chain.h"
+#include "ariadne/models/motion_model.h"
 
 namespace ariadne::filter {
+
+Ancestor::Ancestor(AncestorPtr parent, std::size_t step, const mrpt::math::TPose2D& map_from_robot,
+                   double log_weight)
+    : Ancestor(
+          parent, step, map_from_robot, log_weight,
+          parent ? models::relativePose(parent->pose(), map_from_robot) : mrpt::math::TPose2D()) {}
 
 Ancestor::~Ancestor() {
   core::releaseChain(

@@ -46,6 +46,7 @@ ParticleSet::ParticleSet(const FilterModels& models, const core::Parallel& paral
       likelihood_(models.likelihood, models.grid.field_sigma_m),
       matcher_(models.matcher, models.filter.proposal_gain),
       learner_(models.motion),
+      recent_(models.grid, models.matcher.disputed_sigmas),
       map_is_known_(!map.knownBox().empty()) {
   CParticleData first;
   first.log_w = 0;
@@ -110,6 +111,7 @@ void ParticleSet::predictMatchWeigh(const mrpt::obs::CActionCollection* action,
   points_ = grid::thinned(grid::scanFeatures(*scan, models_.grid.insert_range_m),
                           static_cast<std::size_t>(models_.matcher.max_beams));
   shape_ = grid::makeScanShape(*scan, models_.grid);
+  travelled_m_ = std::hypot(increment.x, increment.y);
   figures_ = {};
   figures_.evidence = evidenceOfPlace();
 
@@ -181,7 +183,9 @@ ParticleSet::Outcome ParticleSet::propose(std::size_t i, const models::Motion& m
     out.log_weight = p.weight_gain * out.log_likelihood;
     return out;
   }
-  const models::Match match = matcher_(particle.map, points_, prior.mean, prior.covariance);
+  const models::Match match =
+      recent_.settled(matcher_(particle.map, points_, prior.mean, prior.covariance), prior,
+                      matcher_, points_, particle.ancestor);
   out.match_accepted = match.accepted;
   if (p.proposal == Proposal::scan_match) {
     out.pose = match.map_from_robot;
@@ -232,6 +236,7 @@ void ParticleSet::replace(std::vector<Particle> particles, const std::vector<dou
 }
 
 void ParticleSet::insertScan(std::size_t checkpoint_updates) {
+  recent_.add(step_, shape_, travelled_m_);
   const bool keep = step_ % checkpoint_updates == 0;
   // Children of one parent are still the same hypothesis: its map is changed once, then shared.
   parallel_.forEach(size(), [&](std::size_t i) {

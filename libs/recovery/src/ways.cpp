@@ -28,7 +28,8 @@ AncestorPtr Ways::attach(const AncestorPtr& at_te, const AncestorPtr& source) {
     const Ancestor& from = **it;
     const auto te_from_robot = models::relativePose(source_at_te->pose(), from.pose());
     leaf = std::make_shared<Ancestor>(
-        leaf, from.step(), models::compose(at_te->pose(), te_from_robot), from.logWeight());
+        leaf, from.step(), models::compose(at_te->pose(), te_from_robot), from.logWeight(),
+        from.motion());
     copies.emplace(&from, leaf);
   }
   return leaf;

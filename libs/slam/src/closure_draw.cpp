@@ -25,7 +25,7 @@ filter::AncestorPtr lineWith(const filter::AncestorPtr& leaf, std::size_t te,
   for (std::size_t k = 0; k < nodes.size(); ++k)
     out = std::make_shared<filter::Ancestor>(
         out, nodes[k]->step(), poses[k],
-        nodes[k]->logWeight() + (k + 1 == nodes.size() ? log_density : 0));
+        nodes[k]->logWeight() + (k + 1 == nodes.size() ? log_density : 0), nodes[k]->motion());
   return out;
 }
 
@@ -44,6 +44,7 @@ recovery::RecoveredSet drawGiven(const closure::Closure& found, const closure::F
   const std::size_t n = particles.size();
   std::vector<filter::AncestorPtr> leaves(n);
   std::vector<double> log_density(n);
+  const std::size_t star = particles.best();
   inputs.parallel.forEach(n, [&](std::size_t i) {
     const Track track = finder.trackOf(particles[i].ancestor);
     std::vector<closure::Tie> ties = closure::tiesOf(track, finder.contacts());
@@ -52,8 +53,10 @@ recovery::RecoveredSet drawGiven(const closure::Closure& found, const closure::F
     ties.push_back({found.anchor, track.now(), found.anchor_from_robot, found.information, false});
     core::RandomStream rng(inputs.seed, static_cast<std::uint32_t>(particles.step()),
                            static_cast<std::uint32_t>(i), core::Purpose::closure);
+    // s* takes the most probable path and the others a sample: of a Gaussian, a sample's squared
+    // error is twice the mean's, and s* is what the robot goes by.
     const auto sample =
-        closure::drawSegment(track, found.begin, ties, closed(off) ? nullptr : &rng);
+        closure::drawSegment(track, found.begin, ties, closed(off) || i == star ? nullptr : &rng);
     log_density[i] = -sample.cost;
     if (!closed(off))
       leaves[i] = lineWith(particles[i].ancestor, found.begin, sample.poses, -sample.cost);

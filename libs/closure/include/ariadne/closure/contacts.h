@@ -3,6 +3,7 @@
 #pragma once
 #include <Eigen/Dense>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "ariadne/closure/track.h"
@@ -16,6 +17,8 @@ struct Contact {
   /// Of second seen from first: how well the walls that both saw hold (x, y, heading) to each
   /// other.
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  /// Of second seen from first where it was measured; else the path itself says it.
+  std::optional<mrpt::math::TPose2D> first_from_second = {};
 };
 
 struct ContactParams {

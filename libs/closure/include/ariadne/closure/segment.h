@@ -33,8 +33,9 @@ std::vector<Tie> tiesOf(const Track& track, const std::vector<Contact>& contacts
 
 struct SegmentSample {
   std::vector<mrpt::math::TPose2D> poses;  ///< of updates te + 1 to the last
-  /// Half the squared Mahalanobis distance between the path as it was and the ties: minus the log
-  /// of the density of the needed correction, constants left out.
+  /// By how much the ties that are not doubted add to half the squared Mahalanobis distance of the
+  /// path from all that was measured: minus the log of the density of the needed correction,
+  /// constants left out.
   double cost = 0;
 };
 

@@ -21,6 +21,9 @@ struct Track {
   /// Of the motion to each update: (x, y, heading) in the frame before it; the first counts
   /// nothing.
   std::vector<Eigen::Matrix3d> motion_covariance;
+  /// To each update from the one before, robot's frame, as the filter drew it, before any closure
+  /// bent the path; the first counts nothing.
+  std::vector<mrpt::math::TPose2D> motions;
   std::size_t now() const { return poses.size() - 1; }
 };
 

@@ -17,10 +17,15 @@ class Ancestor {
   /// @param parent null at the root
   /// @param log_weight increment of the log weight in this step, as it entered Eq. (8)
   Ancestor(AncestorPtr parent, std::size_t step, const mrpt::math::TPose2D& map_from_robot,
-           double log_weight)
+           double log_weight);
+  /// A pose that was bent or moved since it was drawn.
+  /// @param motion as drawn, see motion()
+  Ancestor(AncestorPtr parent, std::size_t step, const mrpt::math::TPose2D& map_from_robot,
+           double log_weight, const mrpt::math::TPose2D& motion)
       : parent_(std::move(parent)),
         step_(step),
         map_from_robot_(map_from_robot),
+        motion_(motion),
         log_weight_(log_weight),
         accumulated_((parent_ ? parent_->accumulated_ : 0) + log_weight) {}
   ~Ancestor();
@@ -30,6 +35,9 @@ class Ancestor {
   const AncestorPtr& parent() const { return parent_; }
   std::size_t step() const { return step_; }
   const mrpt::math::TPose2D& pose() const { return map_from_robot_; }
+  /// From the parent's pose to this as the filter drew it, robot's frame: what was measured, which
+  /// a closure that bends the path leaves alone. Zero at the root.
+  const mrpt::math::TPose2D& motion() const { return motion_; }
   double logWeight() const { return log_weight_; }
   /// a of Eq. (8): sum of the increments along the line, this one's too.
   double accumulated() const { return accumulated_; }
@@ -38,6 +46,7 @@ class Ancestor {
   mutable AncestorPtr parent_;  // let go one by one by the destructor
   std::size_t step_;
   mrpt::math::TPose2D map_from_robot_;
+  mrpt::math::TPose2D motion_;
   double log_weight_;
   double accumulated_;
 };

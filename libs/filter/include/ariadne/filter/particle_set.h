@@ -11,6 +11,7 @@
 #include "ariadne/core/parallel.h"
 #include "ariadne/filter/params.h"
 #include "ariadne/filter/particle.h"
+#include "ariadne/filter/recent_scans.h"
 #include "ariadne/grid/endpoint_likelihood.h"
 #include "ariadne/models/motion_learner.h"
 #include "ariadne/models/motion_model.h"
@@ -110,6 +111,8 @@ class ParticleSet
   grid::EndpointLikelihood likelihood_;
   models::ScanMatcher matcher_;
   models::MotionLearner learner_;
+  RecentScans recent_;
+  double travelled_m_ = 0;
   std::size_t step_ = 0;
   bool map_is_known_;  // something to match against
   Figures figures_;

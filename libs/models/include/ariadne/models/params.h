@@ -24,6 +24,7 @@ struct MatcherParams {
   double search_distance_m = 0.3;
   double sweep_below = 0.95;
   double search_below = 0.5;
+  double disputed_sigmas = 4;
 };
 
 template <class V>
@@ -60,6 +61,10 @@ void visitFields(V& v, MatcherParams& p) {
            "headings about the predicted one are tried when the mean field is under this");
   v.number("search_below", p.search_below, {0, 1},
            "the coarse search runs when the mean field under the endpoints is under this");
+  v.number(
+      "disputed_sigmas", p.disputed_sigmas, {0, 100},
+      "a match this many standard deviations off the odometry is held against the scans of the "
+      "last metres alone; 0: never");
 }
 
 }  // namespace ariadne::models
