@@ -31,7 +31,50 @@ Seen roundAndOn() {
   return seen;
 }
 
+/// What a laser in the middle of a corridor 2.4 m wide sees of its walls, with door frames of 0.5 m
+/// that stand out across it at these places, m from the robot.
+closure::ScanHits corridorEnds(const std::vector<double>& frames, std::uint32_t seed) {
+  core::RandomStream rng(seed, 0, 0, core::Purpose::test);
+  closure::ScanHits hits;
+  for (int i = 0; i < 120; ++i) {
+    const double angle = (i - 59.5) * M_PI / 120;
+    double range = 1.2 / std::abs(std::sin(angle));
+    for (const double x : frames) {
+      const double to_frame = x / std::cos(angle);
+      if (std::abs(to_frame * std::sin(angle)) > 0.7) range = std::min(range, to_frame);
+    }
+    if (range > 15) continue;
+    range += 0.02 * rng.gaussian();
+    hits.emplace_back(range * std::cos(angle), range * std::sin(angle));
+  }
+  return hits;
+}
+
+/// A robot that was at the origin, drove away, and believes to be there again.
+Contact contactOf(const closure::ScanHits& first, const closure::ScanHits& second) {
+  Track track;
+  track.poses = {{0, 0, 0}, {60, 0, 0}, {0, 0, 0}};
+  track.travelled_m = {0, 60, 120};
+  const auto found = closure::findContacts(track, {first, {}, second}, 2, {});
+  return found.empty() ? Contact() : found[0];
+}
+
 }  // namespace
+
+TEST(Contacts, ABareCorridorHoldsAcrossAndNotAlong) {
+  const Contact c = contactOf(corridorEnds({}, 1), corridorEnds({}, 2));
+  EXPECT_GT(c.information(1, 1), 1000);
+  EXPECT_LT(c.information(0, 0), 0.005 * c.information(1, 1));
+}
+
+TEST(Contacts, DoorsThatAgreeByChanceDoNotHoldAlongACorridor) {
+  const std::vector<double> doors = {2, 3.5, 5.1, 7.2};
+  const Contact same = contactOf(corridorEnds(doors, 1), corridorEnds(doors, 2));
+  EXPECT_GT(same.information(0, 0), 200);
+  const Contact other = contactOf(corridorEnds(doors, 1), corridorEnds({2.7, 4.2, 5.2, 6.3}, 2));
+  EXPECT_GT(other.information(1, 1), 500);
+  EXPECT_LT(other.information(0, 0), 10);
+}
 
 TEST(Contacts, AreFoundWhereTheRobotComesByAgain) {
   const Seen seen = roundAndOn();

@@ -1,60 +1,13 @@
 #include "ariadne/closure/contacts.h"
 
 #include <array>
-#include <cmath>
 #include <limits>
 #include <queue>
 
+#include "agreement.h"
 #include "ariadne/models/motion_model.h"
 
 namespace ariadne::closure {
-namespace {
-
-using mrpt::math::TPoint2D;
-
-/// Direction across the wall at a beam's end, from the neighbouring ends.
-bool normalAt(const ScanHits& hits, std::size_t i, double& nx, double& ny) {
-  constexpr double kFarthest_m = 0.6;
-  const TPoint2D& a = hits[i == 0 ? 0 : i - 1];
-  const TPoint2D& b = hits[i + 1 < hits.size() ? i + 1 : i];
-  const double dx = b.x - a.x, dy = b.y - a.y, length = std::hypot(dx, dy);
-  if (length < 1e-3 || length > kFarthest_m) return false;
-  nx = -dy / length;
-  ny = dx / length;
-  return true;
-}
-
-/// Share of the ends of `scan` (placed by `pose`) near one of `wall`; adds what the agreeing ones
-/// know.
-double agreement(const ScanHits& wall, const ScanHits& scan, const mrpt::math::TPose2D& pose,
-                 double tolerance_m, Eigen::Matrix3d& information) {
-  // Ends of one beam are worth a tenth of what they say: they share the map's and the pose's
-  // errors.
-  constexpr double kEndInformation = 0.1 / (0.05 * 0.05);
-  std::size_t agree = 0;
-  for (const TPoint2D& p : placed(pose, scan)) {
-    double nearest = tolerance_m * tolerance_m;
-    std::size_t at = wall.size();
-    for (std::size_t i = 0; i < wall.size(); ++i) {
-      const double d =
-          (wall[i].x - p.x) * (wall[i].x - p.x) + (wall[i].y - p.y) * (wall[i].y - p.y);
-      if (d < nearest) {
-        nearest = d;
-        at = i;
-      }
-    }
-    if (at == wall.size()) continue;
-    ++agree;
-    double nx = 0, ny = 0;
-    if (!normalAt(wall, at, nx, ny)) continue;
-    // A shift (x, y) and turn of the second robot moves its beams' ends across the wall by this.
-    const Eigen::Vector3d j(nx, ny, -nx * (p.y - pose.y) + ny * (p.x - pose.x));
-    information += kEndInformation * j * j.transpose();
-  }
-  return scan.empty() ? 0 : static_cast<double>(agree) / static_cast<double>(scan.size());
-}
-
-}  // namespace
 
 std::vector<Contact> findContacts(const Track& track, const std::vector<ScanHits>& hits,
                                   std::size_t second, const ContactParams& params) {
@@ -82,8 +35,8 @@ std::vector<Contact> findContacts(const Track& track, const std::vector<ScanHits
     if (c.update == second) continue;
     Contact contact{c.update, second, 1e-3 * Eigen::Matrix3d::Identity()};
     const auto first_from_second = models::relativePose(track.poses[c.update], track.poses[second]);
-    if (agreement(hits[c.update], hits[second], first_from_second, params.tolerance_m,
-                  contact.information) >= params.least_share)
+    if (agreement(hits[c.update], hits[second], first_from_second, params, contact.information) >=
+        params.least_share)
       out.push_back(contact);
   }
   return out;

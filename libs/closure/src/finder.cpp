@@ -75,16 +75,8 @@ std::optional<Closure> Finder::look(const filter::AncestorPtr& best, const Scans
   if (travelled < looked_m_ + params_.every_m && travelled > looked_m_ - 5) return std::nullopt;
   looked_m_ = travelled;
   track.motion_covariance = motion_covariance_;
-  for (; contacts_until_ <= track.now(); ++contacts_until_)
-    for (const Contact& c : findContacts(track, hits_, contacts_until_, contact_))
-      contacts_.push_back(c);
+  book_.extend(track, hits_);
   return search(track, scans);
-}
-
-std::vector<Contact> Finder::contacts() const {
-  std::vector<Contact> all = contacts_;
-  all.insert(all.end(), found_.begin(), found_.end());
-  return all;
 }
 
 Finder::Old Finder::oldPlaces(const Track& track) const {
@@ -92,7 +84,7 @@ Finder::Old Finder::oldPlaces(const Track& track) const {
   const std::size_t n = track.poses.size();
   old.far.assign(n, false);
   std::vector<Contact> firm;
-  const std::vector<Contact> all = contacts();
+  const std::vector<Contact> all = book_.all();
   std::copy_if(all.begin(), all.end(), std::back_inserter(firm), isFirm);
   const std::vector<double> by_contacts = distancesFromNow(track, firm);
   old.drift = driftSinceEach(track);
@@ -175,7 +167,7 @@ Closure Finder::closureAt(const Track& track, const Old& old, const grid::Occupa
       kPieceGain * likelihood_.information(map, piece, pose) + 1e-3 * Eigen::Matrix3d::Identity();
   const Eigen::Matrix3d turn = models::turnedBy(-anchor.phi);
   closure.information = (turn * known.inverse() * turn.transpose() + tieFloor()).inverse();
-  std::vector<Tie> ties = tiesOf(track, contacts());
+  std::vector<Tie> ties = tiesOf(track, book_.before(book_.visitBegin(track, params_.least_way_m)));
   const SegmentSample without = drawSegment(track, 0, ties, nullptr);
   ties.push_back(
       {closure.anchor, track.now(), closure.anchor_from_robot, closure.information, false});
@@ -235,16 +227,12 @@ std::optional<Closure> Finder::search(const Track& track, const Scans& scans) {
   return closure;
 }
 
-/// The closure ties the path from now on. The last metres will lie over what they are tied to:
-/// whether their scans agree is seen anew.
+/// The last metres will lie over what they are tied to: whether their scans agree is seen anew.
 void Finder::keep(const Track& track, const Closure& closure) {
-  found_.push_back({closure.anchor, track.now(), closure.information, closure.anchor_from_robot});
-  while (contacts_until_ > 0 &&
-         track.travelled_m.back() - track.travelled_m[contacts_until_ - 1] < params_.piece_m)
-    --contacts_until_;
-  contacts_.erase(std::remove_if(contacts_.begin(), contacts_.end(),
-                                 [&](const Contact& c) { return c.second >= contacts_until_; }),
-                  contacts_.end());
+  std::size_t anew = std::min(track.now() + 1, book_.visitBegin(track, params_.least_way_m));
+  while (anew > 0 && track.travelled_m.back() - track.travelled_m[anew - 1] < params_.piece_m)
+    --anew;
+  book_.close({closure.anchor, track.now(), closure.information, closure.anchor_from_robot}, anew);
 }
 
 }  // namespace ariadne::closure

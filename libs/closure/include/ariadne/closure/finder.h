@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "ariadne/closure/contacts.h"
+#include "ariadne/closure/contact_book.h"
 #include "ariadne/closure/correlation.h"
 #include "ariadne/closure/segment.h"
 #include "ariadne/grid/endpoint_likelihood.h"
@@ -66,7 +66,7 @@ class Finder {
     return closure::trackOf(leaf, motion_covariance_);
   }
   /// Where the path closed by itself, and what was found.
-  std::vector<Contact> contacts() const;
+  std::vector<Contact> contacts() const { return book_.all(); }
 
  private:
   struct Old;
@@ -85,14 +85,11 @@ class Finder {
                                const mrpt::math::TPose2D& pose) const;
 
   FinderParams params_;
-  ContactParams contact_;
   grid::GridParams grid_;
   grid::EndpointLikelihood likelihood_;
   std::vector<ScanHits> hits_;  // by update, as the next
   std::vector<Eigen::Matrix3d> motion_covariance_;
-  std::vector<Contact> contacts_;
-  std::vector<Contact> found_;
-  std::size_t contacts_until_ = 0;
+  ContactBook book_;
   double looked_m_ = 0;
   std::optional<mrpt::math::TPose2D> pending_;  // correction in the map's frame
   double evidence_ = 0;
