@@ -6,7 +6,7 @@
 
 #include "ariadne/core/error.h"
 #include "ariadne/io/ini_text.h"
-#include "ariadne/io/stock_ini.h"
+#include "ariadne/stock/stock_ini.h"
 
 namespace ariadne::app {
 namespace {
@@ -25,9 +25,9 @@ bool hasKey(const io::IniDocument& ini, const char* section, const char* key) {
 std::string programOf(const io::IniDocument& ini) {
   if (hasSectionOf(ini, "arm")) return "ariadne-experiment run";
   for (const char* key : {"world", "path", "log"})
-    if (hasKey(ini, "experiment", key)) return "ariadne-loop-experiment run";
+    if (hasKey(ini, "experiment", key)) return "ariadne-loop-experiment";
   if (ini.hasSection("world") || ini.hasSection("explore")) return "ariadne-explore";
-  if (ini.hasSection("dataset") || io::isStockIni(ini)) return "ariadne-slam";
+  if (ini.hasSection("dataset") || stock::isStockIni(ini)) return "ariadne-slam";
   return "";
 }
 

@@ -13,10 +13,12 @@
 #include "ariadne/io/relations.h"
 #include "ariadne/io/tum.h"
 #include "ariadne/io/whole_file.h"
+#include "ariadne/process/find_program.h"
 #include "compare_options.h"
 #include "comparison_output.h"
 #include "comparison_page.h"
 #include "repeats.h"
+#include "run_folder.h"
 #include "run_program.h"
 #include "stock_settings.h"
 #include "summary.h"
@@ -89,18 +91,31 @@ void checkJsonFile(const std::string& file) {
     throw core::UsageError(fmt::format("--json {}: there is no folder {}", file, folder.string()));
 }
 
+/// `given` if not empty, else the program of this name beside the running one, else on PATH.
+std::string programOf(const std::string& given, const std::string& name) {
+  if (!given.empty()) {
+    if (!process::canRun(given)) throw core::UsageError(given + " is no program that can be run");
+    return fs::absolute(given).string();
+  }
+  const fs::path found = process::findSister(name);
+  if (found.empty())
+    throw core::UsageError(fmt::format(
+        "{} is neither beside this program nor on PATH: build or install all of Ariadne", name));
+  return found.string();
+}
+
 /// Everything that can be wrong is found here, before the long runs.
 Contest contestOf(const Options& options, const slam_app::SlamConfig& config,
                   const fs::path& stock_base) {
   Contest contest;
-  contest.slam_program = findProgram(options.slam_program, "ariadne-slam");
-  contest.stock_program = findProgram(options.stock_program, "ariadne-stock-rbpf");
+  contest.slam_program = programOf(options.slam_program, "ariadne-slam");
+  contest.stock_program = programOf(options.stock_program, "ariadne-stock-rbpf");
   contest.ours = config;
   contest.stock_ini = stockIniText(stock_base, config.slam, options.pf_algorithm);
   contest.references = referencesOf(options);
   contest.repeats = options.repeats;
   contest.folder =
-      fs::absolute(options.out.empty() ? slam_app::newFolderFor(config.dataset.file) : options.out);
+      fs::absolute(options.out.empty() ? app::newFolderFor(config.dataset.file) : options.out);
   contest.overwrite = options.overwrite;
   io::prepareOutputFolder(contest.folder, {kPage}, options.overwrite);
   return contest;
@@ -108,7 +123,7 @@ Contest contestOf(const Options& options, const slam_app::SlamConfig& config,
 
 int compare(const Options& options, std::ostream& out, std::ostream& err) {
   const auto resolved = configOf(options);
-  slam_app::warn(err, kName, resolved.warnings);
+  app::warn(err, kName, resolved.warnings);
   const std::vector<Requirement> requirements = requirementsOf(options);
   checkJsonFile(options.json);
   const fs::path stock_base = stockBase(options.stock_ini, options.config_file);
@@ -136,7 +151,7 @@ int compare(const Options& options, std::ostream& out, std::ostream& err) {
 }  // namespace
 
 int runCompareApp(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
-  return slam_app::runProgram(kName, err, [&] {
+  return app::runProgram(kName, err, [&] {
     const auto options = parseOptions(args, out);
     return options ? compare(*options, out, err) : 0;
   });

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "ariadne/core/error.h"
+#include "ariadne/io/csv.h"
 #include "ariadne/io/tum.h"
 #include "ariadne/io/whole_file.h"
 #include "evaluation.h"
@@ -23,30 +23,14 @@ struct Neff {
 
 /// Columns neff, resampled and particles of steps.csv, wherever they are.
 Neff neffOf(const fs::path& steps_csv) {
-  std::istringstream text(io::readText(steps_csv));
-  const auto cells = [](const std::string& line) {
-    std::vector<std::string> out;
-    std::istringstream stream(line);
-    for (std::string cell; std::getline(stream, cell, ',');) out.push_back(cell);
-    return out;
-  };
-  std::string line;
-  std::getline(text, line);
-  std::map<std::string, std::size_t> column;
-  for (const std::string& name : cells(line)) column.emplace(name, column.size());
+  const io::CsvTable steps = io::readCsv(steps_csv);
+  const std::size_t left = steps.column("neff");
+  const std::size_t of = steps.column("particles");
+  const std::size_t resampled = steps.column("resampled");
   Neff neff;
-  try {
-    while (std::getline(text, line)) {
-      const auto row = cells(line);
-      const double share =
-          std::stod(row.at(column.at("neff"))) / std::stod(row.at(column.at("particles")));
-      neff.share += row.at(column.at("resampled")) == "1" ? 1 : share;
-      ++neff.updates;
-    }
-  } catch (const std::logic_error&) {  // of at() and stod()
-    throw core::Error(fmt::format("{}: line {} is not as ariadne-slam writes it",
-                                  steps_csv.string(), neff.updates + 2));
-  }
+  neff.updates = static_cast<double>(steps.size());
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    neff.share += steps.number(i, resampled) == 1 ? 1 : steps.number(i, left) / steps.number(i, of);
   if (neff.updates > 0) neff.share /= neff.updates;
   return neff;
 }
@@ -60,7 +44,7 @@ Neff neffOfStock(const fs::path& summary) {
   }
 }
 
-Figures figuresOf(const fs::path& path, const Neff& neff, const ProcessCosts& costs,
+Figures figuresOf(const fs::path& path, const Neff& neff, const process::ProcessEnd& costs,
                   const References& references) {
   Figures f{{"cpu_s", costs.cpu_s},         {"wall_s", costs.wall_s},
             {"memory_mb", costs.memory_mb}, {"updates", neff.updates},
@@ -107,12 +91,12 @@ std::vector<FigureKind> figureKinds(const References& references) {
   return kinds;
 }
 
-Figures figuresOfOurs(const fs::path& folder, const ProcessCosts& costs,
+Figures figuresOfOurs(const fs::path& folder, const process::ProcessEnd& costs,
                       const References& references) {
   return figuresOf(folder / "trajectory.tum", neffOf(folder / "steps.csv"), costs, references);
 }
 
-Figures figuresOfStock(const fs::path& folder, const ProcessCosts& costs,
+Figures figuresOfStock(const fs::path& folder, const process::ProcessEnd& costs,
                        const References& references) {
   return figuresOf(folder / "path.tum", neffOfStock(folder / "summary.json"), costs, references);
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "child_process.h"
+#include "ariadne/process/process.h"
 
 namespace ariadne::compare_app {
 
@@ -32,11 +32,11 @@ using Figures = std::map<std::string, double>;
 /// Of a finished run of ariadne-slam, from the files in its folder.
 /// Neff counts as 1 of N where it was resampled, as stock tells it.
 /// Throws core::Error naming the file that is missing or makes no sense.
-Figures figuresOfOurs(const std::filesystem::path& folder, const ProcessCosts& costs,
+Figures figuresOfOurs(const std::filesystem::path& folder, const process::ProcessEnd& costs,
                       const References& references);
 
 /// Of ariadne-stock-rbpf, which wrote path.tum and summary.json into the folder.
-Figures figuresOfStock(const std::filesystem::path& folder, const ProcessCosts& costs,
+Figures figuresOfStock(const std::filesystem::path& folder, const process::ProcessEnd& costs,
                        const References& references);
 
 }  // namespace ariadne::compare_app

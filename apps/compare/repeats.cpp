@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "ariadne/core/error.h"
 #include "ariadne/io/ini_writer.h"
 #include "ariadne/io/whole_file.h"
+#include "ariadne/process/call.h"
 
 namespace ariadne::compare_app {
 namespace {
@@ -15,21 +15,21 @@ std::string seedOf(const Contest& c, int repeat) {
   return std::to_string(c.ours.slam.filter.seed + static_cast<std::uint64_t>(repeat - 1));
 }
 
-ProcessCosts runOurs(const Contest& c, int repeat) {
+process::ProcessEnd runOurs(const Contest& c, int repeat) {
   const fs::path folder = oursFolder(c, repeat);
   std::vector<std::string> command{c.slam_program, (c.folder / "ours.ini").string(),
                                    "--seed",       seedOf(c, repeat),
                                    "--out",        folder.string(),
                                    "--quiet"};
   if (c.overwrite) command.emplace_back("--overwrite");
-  return runChild(command, folder.string() + ".log");
+  return process::runToEnd(command, folder.string() + ".log");
 }
 
-ProcessCosts runStock(const Contest& c, int repeat) {
+process::ProcessEnd runStock(const Contest& c, int repeat) {
   const fs::path folder = stockFolder(c, repeat);
   fs::create_directory(folder);
   const auto file = [&](const char* name) { return (folder / name).string(); };
-  return runChild(
+  return process::runToEnd(
       {c.stock_program, (c.folder / "stock.ini").string(), c.ours.dataset.file, "--seed",
        seedOf(c, repeat), "--path", file("path.tum"), "--trajectory", file("mean.tum"),
        "--overview", file("overview.png"), "--summary", file("summary.json")},

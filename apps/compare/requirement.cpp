@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <regex>
 
 #include "ariadne/core/error.h"
 #include "ariadne/core/names.h"
+#include "ariadne/core/numbers.h"
 
 namespace ariadne::compare_app {
 namespace {
@@ -31,15 +31,14 @@ Requirement parseRequirement(const std::string& text, const std::vector<std::str
   static const std::regex form(R"(\s*(\w+)\s*(<=|>=|<|>)\s*(\S+)\s*)");
   std::smatch part;
   Requirement r{text, "", "", 0};
-  char* end = nullptr;
   // std::regex recurses by the character: a long text would take the stack.
   const bool fits = text.size() < 1000 && std::regex_match(text, part, form);
-  const std::string number = fits ? part[3].str() : "";
-  if (fits) r.bound = std::strtod(number.c_str(), &end);
-  if (!fits || *end != '\0' || !std::isfinite(r.bound))
+  const auto bound = fits ? core::parseNumber(part[3].str()) : std::nullopt;
+  if (!bound || !std::isfinite(*bound))
     throw core::UsageError(fmt::format(
         "--require \"{}\": a requirement is NAME<NUMBER, with <, <=, > or >=, as cpu_ratio<0.1",
         core::printable(text)));
+  r.bound = *bound;
   r.name = part[1];
   r.relation = part[2];
   if (isAmong(names, r.name)) return r;

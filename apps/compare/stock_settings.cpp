@@ -4,7 +4,7 @@
 
 #include "ariadne/core/error.h"
 #include "ariadne/io/ini_text.h"
-#include "ariadne/io/stock_ini.h"
+#include "ariadne/stock/stock_ini.h"
 
 namespace ariadne::compare_app {
 namespace {
@@ -14,7 +14,8 @@ const std::string kSection = "MappingApplication";
 const std::string kGrid = kSection + "_occupancyGrid_00_";
 
 bool isStock(const fs::path& file) {
-  return io::isStockIni(io::parseIni(io::readIniText(file), file.string(), io::IniDialect::mrpt));
+  return stock::isStockIni(
+      io::parseIni(io::readIniText(file), file.string(), io::IniDialect::mrpt));
 }
 
 }  // namespace

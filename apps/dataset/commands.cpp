@@ -11,15 +11,15 @@
 #include "dataset_info.h"
 #include "overwrite.h"
 #include "progress.h"
+#include "run_program.h"
 
 namespace ariadne {
 namespace {
 
 namespace fs = std::filesystem;
 
-void warn(const io::StepSource& steps, std::ostream& err) {
-  for (const std::string& line : steps.warnings())
-    err << "ariadne-dataset: warning: " << line << '\n';
+std::string readingOf(const DatasetArguments& args) {
+  return "reading " + args.in.filename().string();
 }
 
 /// Opens the input and lets `write` have its steps one by one.
@@ -28,21 +28,22 @@ void convert(const DatasetArguments& args, std::ostream& out, std::ostream& err,
   refuseToOverwrite(args.out, args.overwrite);
   std::unique_ptr<io::StepSource> steps;
   {
-    Progress progress(err, "reading " + args.in.filename().string());
+    app::Progress progress(err, app::progressStyle(false, err));
+    const std::string what = readingOf(args);
     io::DatasetOptions options = args.dataset;
     double looked_through = 0;  // of the whole work
     options.goes_on = [&](double share) {
-      progress.update(looked_through = share / 3);
+      progress.tell(what, looked_through = share / 3);
       return true;
     };
     steps = io::openDataset(args.in, options);
     const std::size_t count = write([&] {
-      progress.update(looked_through + (1 - looked_through) * steps->fraction());
+      progress.tell(what, looked_through + (1 - looked_through) * steps->fraction());
       return steps->next();
     });
     out << fmt::format("{}: {} steps\n", args.out.string(), count);
   }
-  warn(*steps, err);
+  app::warn(err, "ariadne-dataset", steps->warnings());
 }
 
 void restamp(models::SensorStep& step, double time_s) {
@@ -54,8 +55,9 @@ void restamp(models::SensorStep& step, double time_s) {
 
 void showInfo(const DatasetArguments& args, std::ostream& out, std::ostream& err) {
   const DatasetInfo info = [&] {
-    Progress progress(err, "reading " + args.in.filename().string());
-    return collectInfo(args.in, args.dataset, [&](double done) { progress.update(done); });
+    app::Progress progress(err, app::progressStyle(false, err));
+    return collectInfo(args.in, args.dataset,
+                       [&](double done) { progress.tell(readingOf(args), done); });
   }();
   out << (args.json ? infoAsJson(info) : infoAsText(info));
 }

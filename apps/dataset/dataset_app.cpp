@@ -7,6 +7,7 @@
 #include "command_line.h"
 #include "commands.h"
 #include "ros_arguments.h"
+#include "run_program.h"
 #include "simulate_options.h"
 
 namespace ariadne {
@@ -133,19 +134,7 @@ class CommandLine {
 }  // namespace
 
 int runDatasetApp(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
-  const auto fail = [&](const char* message, int code) {
-    err << "ariadne-dataset: " << message << std::endl;
-    return code;
-  };
-  try {
-    return CommandLine().run(args, out, err);
-  } catch (const core::UsageError& e) {
-    return fail(e.what(), 2);
-  } catch (const std::bad_alloc&) {
-    return fail("out of memory", 1);
-  } catch (const std::exception& e) {
-    return fail(e.what(), 1);
-  }
+  return app::runProgram("ariadne-dataset", err, [&] { return CommandLine().run(args, out, err); });
 }
 
 }  // namespace ariadne

@@ -1,12 +1,15 @@
 #include "eval_app.h"
 
 #include <ostream>
+#include <utility>
 
 #include "ariadne/core/error.h"
 #include "command_line.h"
 #include "error_plot.h"
 #include "evaluation.h"
+#include "neff_command.h"
 #include "plan_command.h"
+#include "run_program.h"
 
 namespace ariadne {
 namespace {
@@ -25,7 +28,13 @@ constexpr const char* kExamples =
     "  ariadne-eval run/trajectory.tum truth.tum --json\n"
     "  ariadne-eval plan 0.40 0.93 --power 0.9 --paired    runs needed (see ariadne-eval plan "
     "--help)\n"
+    "  ariadne-eval neff ini/paper/drives/nested.ini neff.png     Neff over a drive\n"
+    "  ariadne-eval neff-log truth.tum neff.png --plain a/steps.csv --revisit b/steps.csv\n"
     "Exit code: 0 fine, 1 the run failed, 2 wrong use.";
+
+using Command = int (*)(const std::vector<std::string>&, std::ostream&);
+constexpr std::pair<const char*, Command> kCommands[] = {
+    {"plan", eval_app::runPlan}, {"neff", eval_app::runNeff}, {"neff-log", eval_app::runNeffLog}};
 
 void declare(CLI::App& app, eval_app::Arguments& a) {
   app.footer(kExamples);
@@ -54,8 +63,8 @@ void check(const eval_app::Arguments& a) {
 
 int run(const std::vector<std::string>& args, std::ostream& out) {
   // No CLI subcommand: it would take over the options and required files of the program itself.
-  if (!args.empty() && args.front() == "plan")
-    return eval_app::runPlan({args.begin() + 1, args.end()}, out);
+  for (const auto& [name, command] : kCommands)
+    if (!args.empty() && args.front() == name) return command({args.begin() + 1, args.end()}, out);
   CLI::App app(kAbout, "ariadne-eval");
   eval_app::Arguments a;
   declare(app, a);
@@ -78,17 +87,7 @@ int run(const std::vector<std::string>& args, std::ostream& out) {
 }  // namespace
 
 int runEvalApp(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
-  const auto fail = [&](const char* message, int code) {
-    err << "ariadne-eval: " << message << std::endl;
-    return code;
-  };
-  try {
-    return run(args, out);
-  } catch (const core::UsageError& e) {
-    return fail(e.what(), 2);
-  } catch (const std::exception& e) {
-    return fail(e.what(), 1);
-  }
+  return app::runProgram("ariadne-eval", err, [&] { return run(args, out); });
 }
 
 }  // namespace ariadne

@@ -75,7 +75,7 @@ batch::ScheduleEnd doAll(const Store& store, const Plan& plan,
 
 /// Does what is to be done. Returns the exit code.
 int work(const Options& o, const Plan& plan, const Store& store, std::ostream& err) {
-  const slam_app::Interrupt interrupt;
+  const app::Interrupt interrupt;
   RunProgress progress(err, o.quiet);
   batch::ScheduleOptions options;
   options.jobs = o.jobs;
@@ -134,7 +134,7 @@ int run(const std::vector<std::string>& args, std::ostream& out, std::ostream& e
 }  // namespace
 
 int runExperimentApp(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
-  return slam_app::runProgram(kName, err, [&] { return run(args, out, err); });
+  return app::runProgram(kName, err, [&] { return run(args, out, err); });
 }
 
 }  // namespace ariadne

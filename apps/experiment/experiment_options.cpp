@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <map>
 #include <ostream>
 #include <thread>
@@ -44,17 +43,16 @@ constexpr const char* kFooter =
 
 /// "3/10".
 void readSlice(const std::string& text, Options& o) {
-  const auto number = [](const char* begin, const char* end, std::size_t& value) {
-    const auto read = std::from_chars(begin, end, value);
-    return read.ec == std::errc() && read.ptr == end;
-  };
   const std::size_t slash = std::min(text.find('/'), text.size());
-  const char* const begin = text.data();
-  const char* const end = begin + text.size();
-  if (slash == text.size() || !number(begin, begin + slash, o.slice) ||
-      !number(begin + slash + 1, end, o.slices) || o.slice < 1 || o.slice > o.slices)
+  const std::string_view whole = text;
+  const auto slice = core::parseInteger<std::size_t>(whole.substr(0, slash));
+  const auto slices =
+      core::parseInteger<std::size_t>(whole.substr(std::min(slash + 1, text.size())));
+  if (!slice || !slices || *slice < 1 || *slice > *slices)
     throw core::UsageError(
         fmt::format("--slice {}: takes i/n with i from 1 to n, as 3/10 (see --help)", text));
+  o.slice = *slice;
+  o.slices = *slices;
 }
 
 const std::map<std::string, batch::TableFormat>& formats() {

@@ -3,15 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
-#include <cmath>
 #include <ostream>
 
-#include "run_program.h"
+#include "progress.h"
 
 namespace ariadne::experiment_app {
 
 RunProgress::RunProgress(std::ostream& err, bool quiet)
-    : err_(err), line_(err, slam_app::progressStyle(quiet, err)) {}
+    : err_(err), line_(err, app::progressStyle(quiet, err)) {}
 
 void RunProgress::tell(const batch::ScheduleProgress& p) {
   if (!p.result->failure.empty()) {
@@ -20,13 +19,7 @@ void RunProgress::tell(const batch::ScheduleProgress& p) {
   }
   if (!line_.due()) return;
   line_.show(fmt::format("{} of {} runs  {}: {:.1f} s  {} left", p.finished, p.planned, p.about,
-                         p.result->wall_s, timeText(p.left_s)));
-}
-
-std::string timeText(double seconds) {
-  const auto s = std::lround(std::max(0.0, std::min(seconds, 1e10)));
-  if (s >= 3600) return fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
-  return fmt::format("{}:{:02}", s / 60, s % 60);
+                         p.result->wall_s, app::timeText(p.left_s)));
 }
 
 }  // namespace ariadne::experiment_app

@@ -17,10 +17,7 @@ class RunProgress {
 
  private:
   std::ostream& err_;
-  slam_app::Progress line_;
+  app::Progress line_;
 };
-
-/// "1:05", "2:00:03".
-std::string timeText(double seconds);
 
 }  // namespace ariadne::experiment_app

@@ -8,11 +8,11 @@
 #include <ostream>
 
 #include "ariadne/batch/run_counts.h"
-#include "ariadne/cluster/called.h"
 #include "ariadne/cluster/slices.h"
 #include "ariadne/cluster/slurm_script.h"
 #include "ariadne/core/error.h"
 #include "ariadne/io/whole_file.h"
+#include "ariadne/process/call.h"
 #include "folder_steps.h"
 #include "living.h"
 #include "submit_checks.h"
@@ -90,7 +90,7 @@ int runParallel(const Options& o, const Plan& plan, const Store& store,
   fmt::print(out, "{} slices by GNU parallel (log: {})\n", s.handed.size(),
              (jobs.folder(s) / "joblog.tsv").string());
   out.flush();
-  cluster::callInForeground(
+  process::callInForeground(
       cluster::parallelCommand(worker, o.parallel, jobs.folder(s) / "joblog.tsv", s.handed));
   const batch::Counts counts = batch::countRuns(plan, store.results(plan));
   const std::size_t left = counts.planned - counts.finished - counts.failed;

@@ -10,9 +10,9 @@
 
 #include "ariadne/batch/program.h"
 #include "ariadne/batch/store.h"
-#include "ariadne/cluster/called.h"
 #include "ariadne/cluster/slurm_script.h"
 #include "ariadne/core/error.h"
+#include "ariadne/process/call.h"
 
 namespace ariadne::experiment_app {
 namespace {
@@ -41,7 +41,7 @@ void checkSubmit(const Options& o) {
   if (o.engine == Engine::slurm) {
     cluster::check(o.slurm);
     cluster::sbatchName(batch::Store(o.folder).folder());
-    if (!o.script_only && batch::findInPath("sbatch").empty())
+    if (!o.script_only && process::findInPath("sbatch").empty())
       throw core::UsageError(
           "there is no sbatch in PATH: install Debian's package slurm-client and the cluster's "
           "slurm.conf, or write the script here with --script-only and hand it over elsewhere");
@@ -55,7 +55,7 @@ void checkSubmit(const Options& o) {
     throw core::UsageError(
         fmt::format("--sshloginfile: there is no file {}", o.parallel.sshloginfile.string()));
   // moreutils has another program of this name.
-  const cluster::Called version = cluster::call({"parallel", "--version"});
+  const process::Called version = process::call({"parallel", "--version"});
   if (version.missing || version.out.find("GNU parallel") == std::string::npos)
     throw core::UsageError("there is no GNU parallel in PATH: install Debian's package parallel");
 }

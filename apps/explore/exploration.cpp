@@ -81,7 +81,7 @@ io::DatasetCounts countsOf(const mission::MissionRecord& mission) {
 }  // namespace
 
 ExplorationResult carryOut(mission::Mission& mission, const ExploreConfig& config,
-                           const slam_app::Interrupt& interrupt, slam_app::Progress& progress,
+                           const app::Interrupt& interrupt, app::Progress& progress,
                            report::ReplayRecorder& recorder) {
   const Clock::time_point start = Clock::now();
   Recording recording(mission.mapper(), recorder);

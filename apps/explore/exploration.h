@@ -27,7 +27,7 @@ constexpr double kMapTolerance_m = 0.25;
 
 /// Runs the mission until it ends or a signal comes. What the truth says is still missing.
 ExplorationResult carryOut(mission::Mission& mission, const ExploreConfig& config,
-                           const slam_app::Interrupt& interrupt, slam_app::Progress& progress,
+                           const app::Interrupt& interrupt, app::Progress& progress,
                            report::ReplayRecorder& recorder);
 
 /// Adds what the truth says. @param start world_from_robot

@@ -63,15 +63,15 @@ int exploreWorld(const Options& options, ResolvedConfig resolved, std::ostream& 
   io::writeIni(config, "");  // throws now, not after the drive, for a name that no INI can hold
   const sim::World world = readWorldOf(config);
   resolved.warnings.insert(resolved.warnings.end(), world.notes.begin(), world.notes.end());
-  slam_app::warn(err, kName, resolved.warnings);
+  app::warn(err, kName, resolved.warnings);
   const mrpt::math::TPose2D start = startOf(config, world);
   mission::Mission mission(world, start, config.mission, config.run.threads);
   ExplorationResult result;
   const std::vector<slam_app::Output> outputs = outputsOf(config, result);
   io::prepareOutputFolder(config.run.out, slam_app::namesOf(outputs), options.overwrite);
 
-  const slam_app::Interrupt interrupt;
-  slam_app::Progress progress(err, slam_app::progressStyle(options.quiet, err));
+  const app::Interrupt interrupt;
+  app::Progress progress(err, app::progressStyle(options.quiet, err));
   report::ReplayRecorder recorder;
   result = carryOut(mission, config, interrupt, progress, recorder);
   if (interrupt.signal() != 0)
@@ -85,8 +85,8 @@ int exploreWorld(const Options& options, ResolvedConfig resolved, std::ostream& 
       result.mapping.warnings.push_back(w);
   tellCollisions(result);
   const auto& all = result.mapping.warnings;
-  slam_app::warn(err, kName,
-                 {all.begin() + static_cast<std::ptrdiff_t>(resolved.warnings.size()), all.end()});
+  app::warn(err, kName,
+            {all.begin() + static_cast<std::ptrdiff_t>(resolved.warnings.size()), all.end()});
   measure(result, mission, world, start);
   if (config.run.pictures) result.mapping.replay = replayOf(recorder, mission.mapper(), result);
 
@@ -109,7 +109,7 @@ int run(const std::vector<std::string>& args, std::ostream& out, std::ostream& e
   }
   ResolvedConfig resolved = resolveConfig(*options);
   if (!options->print_config) return exploreWorld(*options, std::move(resolved), out, err);
-  slam_app::warn(err, kName, resolved.warnings);
+  app::warn(err, kName, resolved.warnings);
   out << io::writeIni(resolved.config, "Configuration of ariadne-explore.");
   return 0;
 }
@@ -117,7 +117,7 @@ int run(const std::vector<std::string>& args, std::ostream& out, std::ostream& e
 }  // namespace
 
 int runExploreApp(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
-  return slam_app::runProgram(kName, err, [&] { return run(args, out, err); });
+  return app::runProgram(kName, err, [&] { return run(args, out, err); });
 }
 
 }  // namespace ariadne

@@ -18,21 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The dedicated flags as entries, so that they are checked and explained like the INI's.
 std::vector<io::IniEntry> flagEntries(const Options& o) {
-  std::vector<io::IniEntry> entries;
-  const auto add = [&](const std::optional<std::string>& value, const char* section,
-                       const char* key, const char* flag) {
-    if (value) entries.push_back({section, key, *value, flag});
-  };
-  add(o.world, "world", "file", "--world");
-  add(o.start, "world", "start", "--start");
-  add(o.strategy, "explore", "strategy", "--strategy");
-  add(o.particles, "filter", "particles", "--particles");
-  add(o.seed, "filter", "seed", "--seed");
-  add(o.threads, "run", "threads", "--threads");
-  add(o.out, "run", "out", "--out");
-  if (o.no_pictures) entries.push_back({"run", "pictures", "false", "--no-pictures"});
+  std::vector<io::IniEntry> entries = app::flagEntries(o);
+  if (o.world) entries.push_back({"world", "file", *o.world, "--world"});
+  if (o.start) entries.push_back({"world", "start", *o.start, "--start"});
+  if (o.strategy) entries.push_back({"explore", "strategy", *o.strategy, "--strategy"});
   return entries;
 }
 
@@ -104,7 +94,7 @@ mrpt::math::TPose2D startOf(const ExploreConfig& config, const sim::World& world
 }
 
 std::string outputFolderOf(const ExploreConfig& config) {
-  return config.run.out.empty() ? slam_app::newFolderFor(config.world.file) : config.run.out;
+  return config.run.out.empty() ? app::newFolderFor(config.world.file) : config.run.out;
 }
 
 }  // namespace ariadne::explore_app

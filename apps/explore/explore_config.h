@@ -6,7 +6,7 @@
 #include "ariadne/eval/loop_errors.h"
 #include "ariadne/mission/mission.h"
 #include "explore_options.h"
-#include "run_params.h"
+#include "run_folder.h"
 
 namespace ariadne::explore_app {
 
@@ -30,7 +30,7 @@ void visitFields(V& v, WorldParams& p) {
 
 struct ExploreConfig {
   WorldParams world;
-  slam_app::RunParams run;
+  app::RunParams run;
   eval::CorrectBounds correct;
   mission::MissionParams mission;
 };

@@ -5,24 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "run_options.h"
+
 namespace ariadne::explore_app {
 
-struct Options {
-  std::string config_file;
-  std::vector<std::string> settings;  ///< section.key=value, in order
-  // Dedicated flags as typed; the parameters' own tables check them.
-  std::optional<std::string> world;
+struct Options : app::RunOptions {
+  std::optional<std::string> world;  ///< as typed, as the next two
   std::optional<std::string> start;
   std::optional<std::string> strategy;
-  std::optional<std::string> particles;
-  std::optional<std::string> seed;
-  std::optional<std::string> threads;
-  std::optional<std::string> out;
-  bool no_pictures = false;
-  bool overwrite = false;
-  bool print_config = false;
-  bool print_parameters = false;
-  bool quiet = false;
 };
 
 /// Nothing when the program is done already (--help, --version: printed to `out`). Throws

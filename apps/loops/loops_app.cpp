@@ -3,151 +3,124 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
 
 #include "ariadne/core/error.h"
-#include "ariadne/experiment/loop_config.h"
-#include "ariadne/experiment/loop_table.h"
-#include "ariadne/io/dataset_place.h"
-#include "ariadne/io/ini_fields.h"
+#include "ariadne/experiment/drives.h"
+#include "ariadne/experiment/loop_config_file.h"
+#include "ariadne/experiment/run_figures.h"
 #include "ariadne/io/ini_text.h"
 #include "ariadne/io/ini_writer.h"
+#include "ariadne/io/output_folder.h"
+#include "ariadne/io/whole_file.h"
 #include "command_line.h"
 #include "ini_program.h"
-#include "neff_chart.h"
-#include "neff_log.h"
-#include "run_command.h"
+#include "run_folder.h"
+#include "run_program.h"
 
 namespace ariadne {
 namespace {
 
-namespace fs = std::filesystem;
-using experiment::LoopRow;
+constexpr const char* kName = "ariadne-loop-experiment";
+constexpr const char* kSummary = "summary.json";
+
+constexpr const char* kAbout =
+    "One run of the paper's nested-loop experiment: a simulated drive, or a log with made noise,\n"
+    "mapped with recovery of particle diversity and without. Writes summary.json into a new\n"
+    "folder. Many runs, their tables and tests: ariadne-experiment.";
 
 constexpr const char* kFooter =
-    "A run that is in OUT already is not done again, and each is written when it is done: a "
-    "stopped "
-    "experiment goes on.\n"
     "Examples:\n"
-    "  ariadne-loop-experiment run ini/experiments/nested.ini rows.csv --laps 10 --first 1 --last "
-    "60\n"
-    "  ariadne-loop-experiment table rows.csv\n"
-    "  ariadne-loop-experiment run ini/experiments/small.ini oracle.csv --oracle --laps 6\n"
-    "  ariadne-loop-experiment neff ini/experiments/nested.ini neff.png --laps 4\n"
-    "  ariadne-loop-experiment neff-log truth.tum neff.png --plain a-*/steps.csv --revisit "
-    "b-*/steps.csv";
+    "  ariadne-loop-experiment ini/paper/drives/nested.ini --laps 10 --seed 7\n"
+    "  ariadne-loop-experiment ini/paper/drives/small.ini --oracle --laps 6 --out oracle\n"
+    "  ariadne-experiment run ini/paper/nested_loop.ini --out nested_loop     60 such runs\n"
+    "Exit code: 0 fine, 1 the run failed, 2 wrong use.";
 
-struct Arguments {
+struct Options {
   std::string ini;
-  std::string rows;
-  std::vector<std::string> tables;
-  std::string truth;
-  std::vector<std::string> plain;
-  std::vector<std::string> revisit;
+  std::string out;
   std::vector<std::string> settings;
   std::optional<int> laps;
-  loops_app::Seeds seeds;
+  std::uint64_t seed = 1;
   bool oracle = false;
+  bool overwrite = false;
   bool print_config = false;
 };
 
-experiment::LoopConfig configOf(const Arguments& args) {
-  experiment::LoopConfig config;
-  const std::string text = io::readIniText(args.ini);
-  app::expectIniOf("ariadne-loop-experiment", args.ini, text);
-  io::applyIni(config, io::parseIni(text, args.ini, io::IniDialect::strict));
-  const fs::path folder = fs::path(args.ini).parent_path();
-  for (std::string* file : {&config.files.world, &config.files.path})
-    if (!file->empty()) *file = (folder / *file).string();
-  for (const std::string& setting : args.settings) io::setField(config, io::parseSetting(setting));
-  if (!config.files.log.empty())
-    config.files.log = io::datasetPlace(config.files.log, folder).string();
-  return config;
+void declare(CLI::App& program, Options& o) {
+  program.footer(kFooter);
+  program.add_option("CONFIG", o.ini, "INI of a drive, as ini/paper/drives/*.ini")->required();
+  program.add_option("--laps", o.laps, "of the inner loop, where the drive has some");
+  program.add_option("--seed", o.seed, "of noise and filter")->capture_default_str();
+  program.add_flag("--oracle", o.oracle,
+                   "instead of the pair the first loop with one filter a particle next to recovery "
+                   "and without; small worlds");
+  program.add_option("--set", o.settings, "section.key=value, over the INI")
+      ->allow_extra_args(false)
+      ->take_all();
+  program.add_option("--out", o.out, "folder to write to; default: ariadne-<config>-<date>-<time>");
+  program.add_flag("--overwrite", o.overwrite, "replace summary.json of an earlier run there");
+  program.add_flag("--print-config", o.print_config, "print the resolved INI and stop");
 }
 
-void drawNeff(const Arguments& args, std::ostream& out) {
-  const experiment::LoopConfig config = configOf(args);
-  if (!config.files.log.empty())
-    throw core::UsageError(args.ini + ": neff needs world and path, not a log");
-  const sim::World world = sim::readWorld(config.files.world);
-  const sim::DrivePath path = sim::readPath(config.files.path, args.laps);
-  loops_app::writeNeffChart(args.rows, config, sim::driveThrough(world, path, config.sim.drive),
-                            args.seeds.first);
-  fmt::print(out, "{}: Neff over the drive, plain and with the revisit weights\n", args.rows);
+experiment::LoopConfig configOf(const Options& o) {
+  const std::string text = io::readIniText(o.ini);
+  app::expectIniOf(kName, o.ini, text);
+  return experiment::readLoopConfig(o.ini, text, o.settings);
 }
 
-void printTable(const Arguments& args, std::ostream& out) {
-  std::vector<LoopRow> rows;
-  for (const std::string& file : args.tables)
-    for (LoopRow& row : experiment::readRows(file)) rows.push_back(std::move(row));
-  out << experiment::loopTable(rows);
+/// What came out, and a line that tells it.
+struct Told {
+  experiment::RunFigures figures;
+  std::string line;
+};
+
+Told mapped(const Options& o, const experiment::LoopConfig& config,
+            const experiment::Drives& drives) {
+  const auto seen = drives.observe(o.seed);
+  if (!o.oracle) {
+    const auto r = experiment::runLoop(seen, config.slam, config.correct, o.seed);
+    return {experiment::figuresOf(r),
+            fmt::format("error across the loops: recovery {:.2f} m, standard {:.2f} m",
+                        r.recovered.worst_translation_m, r.standard.worst_translation_m)};
+  }
+  const auto r = experiment::runOracle(seen, config.slam, config.correct, o.seed);
+  if (!r) throw core::Error(fmt::format("seed {}: no loop was recovered", o.seed));
+  return {experiment::figuresOf(*r),
+          fmt::format("KL from the oracle's set: recovery {:.2f}, standard {:.2f} nats",
+                      r->kl_recovered_nats, r->kl_standard_nats)};
 }
 
-int run(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
-  CLI::App app(
-      "The nested-loop experiment of the paper: every seed is one simulated drive, mapped "
-      "with recovery of particle diversity and without.",
-      "ariadne-loop-experiment");
-  app.require_subcommand(1);
-  app.footer(kFooter);
-  Arguments a;
-  const auto addDrive = [&](CLI::App* sub, const char* about_out, const char* about_seed) {
-    sub->add_option("INI", a.ini, "experiment, as ini/experiments/*.ini")->required();
-    sub->add_option("OUT", a.rows, about_out);
-    sub->add_option("--laps", a.laps, "of the inner loop, where the drive has some");
-    sub->add_option("--first", a.seeds.first, about_seed)->capture_default_str();
-    sub->add_option("--set", a.settings, "section.key=value, over the INI")
-        ->allow_extra_args(false);
-  };
-  CLI::App* run = app.add_subcommand("run", "Paired runs, added to a CSV file");
-  addDrive(run, "CSV file of the rows", "first seed");
-  run->add_option("--last", a.seeds.last, "last seed")->capture_default_str();
-  run->add_flag("--oracle", a.oracle,
-                "instead of pairs the first loop with one filter a particle next to recovery and "
-                "without; small worlds");
-  run->add_flag("--print-config", a.print_config, "print the resolved INI and stop");
-  CLI::App* neff = app.add_subcommand("neff", "Picture of Neff over one drive");
-  addDrive(neff, "PNG to write", "the seed");
-  neff->get_option("OUT")->required();
-  CLI::App* table = app.add_subcommand("table", "Rates with intervals, tests and losses, Markdown");
-  table->add_option("ROWS", a.tables, "CSV files")->required();
-  CLI::App* log = app.add_subcommand(
-      "neff-log", "Fall of Neff on new ground and on ground driven again, of recorded drives");
-  log->add_option("TRUTH", a.truth, "TUM file of the true path")->required();
-  log->add_option("OUT", a.rows, "PNG to write")->required();
-  log->add_option("--plain", a.plain, "steps.csv of ariadne-slam, filter.revisit_exponent = 0")
-      ->required();
-  log->add_option("--revisit", a.revisit, "steps.csv of the same drive with revisit weights")
-      ->required();
-  if (!ariadne::app::parseCommandLine(app, args, out)) return 0;
-  if (*run && a.print_config)
-    out << io::writeIni(configOf(a), "Configuration of ariadne-loop-experiment.");
-  else if (*run && a.rows.empty())
-    throw core::UsageError("OUT is missing: the CSV file of the rows (see --help)");
-  else if (*run)
-    loops_app::runSeeds(configOf(a), a.laps, a.seeds, a.oracle, a.rows, err);
-  else if (*neff)
-    drawNeff(a, out);
-  else if (*log)
-    out << loops_app::neffOfLog(a.rows, a.truth, a.plain, a.revisit);
-  else
-    printTable(a, out);
+int run(const std::vector<std::string>& args, std::ostream& out) {
+  CLI::App program(kAbout, kName);
+  Options o;
+  declare(program, o);
+  if (!app::parseCommandLine(program, args, out)) return 0;
+  const experiment::LoopConfig config = configOf(o);
+  if (o.print_config) {
+    out << io::writeIni(config, "Configuration of ariadne-loop-experiment.");
+    return 0;
+  }
+  const experiment::Drives drives(config, o.laps);
+  const std::filesystem::path folder = o.out.empty() ? app::newFolderFor(o.ini) : o.out;
+  io::prepareOutputFolder(folder, {kSummary}, o.overwrite);
+  const Told told = mapped(o, config, drives);
+  nlohmann::ordered_json json{
+      {"program", kName}, {"drive", drives.name()}, {"laps", drives.laps()}, {"seed", o.seed}};
+  for (const auto& [name, value] : told.figures) json[name] = value;
+  io::writeWhole(folder / kSummary, json.dump(1) + "\n");
+  fmt::print(out, "{}, {} laps, seed {}: {}\n{}\n", drives.name(), drives.laps(), o.seed, told.line,
+             (folder / kSummary).string());
   return 0;
 }
 
 }  // namespace
 
 int runLoopsApp(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
-  try {
-    return run(args, out, err);
-  } catch (const core::UsageError& e) {
-    fmt::print(err, "ariadne-loop-experiment: {}\n", e.what());
-    return 2;
-  } catch (const std::exception& e) {
-    fmt::print(err, "ariadne-loop-experiment: {}\n", e.what());
-    return 1;
-  }
+  return app::runProgram(kName, err, [&] { return run(args, out); });
 }
 
 }  // namespace ariadne

@@ -4,7 +4,7 @@
 
 #include "ariadne/io/ini_fields.h"
 #include "ariadne/io/ini_text.h"
-#include "ariadne/io/stock_ini.h"
+#include "ariadne/stock/stock_ini.h"
 #include "ini_program.h"
 
 namespace ariadne::slam_app {
@@ -13,12 +13,12 @@ namespace {
 namespace fs = std::filesystem;
 
 ResolvedConfig fromStock(const std::string& text, const fs::path& file) {
-  const io::StockIni stock = io::readStockIni(text, file);
+  const stock::StockIni read = stock::readStockIni(text, file);
   ResolvedConfig out;
-  out.config.slam = stock.params;
-  out.config.dataset.file = stock.rawlog_file;
-  out.config.run.out = stock.output_folder;
-  out.warnings = stock.warnings;
+  out.config.slam = read.params;
+  out.config.dataset.file = read.rawlog_file;
+  out.config.run.out = read.output_folder;
+  out.warnings = read.warnings;
   return out;
 }
 
@@ -34,19 +34,7 @@ ResolvedConfig fromOwn(const std::string& text, const fs::path& file) {
 ResolvedConfig fromFile(const fs::path& file) {
   const std::string text = io::readIniText(file);
   const auto lenient = io::parseIni(text, file.string(), io::IniDialect::mrpt);
-  return io::isStockIni(lenient) ? fromStock(text, file) : fromOwn(text, file);
-}
-
-/// The dedicated flags as entries, so that they are checked and explained like the INI's.
-std::vector<io::IniEntry> flagEntries(const Options& o) {
-  std::vector<io::IniEntry> entries;
-  if (o.particles) entries.push_back({"filter", "particles", *o.particles, "--particles"});
-  if (o.seed) entries.push_back({"filter", "seed", *o.seed, "--seed"});
-  if (o.threads) entries.push_back({"run", "threads", *o.threads, "--threads"});
-  if (o.out) entries.push_back({"run", "out", *o.out, "--out"});
-  if (o.no_pictures) entries.push_back({"run", "pictures", "false", "--no-pictures"});
-  if (!o.dataset.empty()) entries.push_back({"dataset", "file", o.dataset, "DATASET"});
-  return entries;
+  return stock::isStockIni(lenient) ? fromStock(text, file) : fromOwn(text, file);
 }
 
 }  // namespace
@@ -68,7 +56,9 @@ ResolvedConfig resolveConfig(const Options& options) {
   if (!options.config_file.empty()) resolved = fromFile(options.config_file);
   for (const std::string& setting : options.settings)
     io::setField(resolved.config, io::parseSetting(setting));
-  for (const io::IniEntry& entry : flagEntries(options)) io::setField(resolved.config, entry);
+  for (const io::IniEntry& entry : app::flagEntries(options)) io::setField(resolved.config, entry);
+  if (!options.dataset.empty())
+    io::setField(resolved.config, {"dataset", "file", options.dataset, "DATASET"});
   std::string& dataset = resolved.config.dataset.file;
   if (!dataset.empty()) {
     fs::path whole = fs::absolute(dataset).lexically_normal();
@@ -79,7 +69,7 @@ ResolvedConfig resolveConfig(const Options& options) {
 }
 
 std::string outputFolderOf(const SlamConfig& config) {
-  return config.run.out.empty() ? newFolderFor(config.dataset.file) : config.run.out;
+  return config.run.out.empty() ? app::newFolderFor(config.dataset.file) : config.run.out;
 }
 
 }  // namespace ariadne::slam_app

@@ -6,7 +6,7 @@
 #include "ariadne/io/dataset.h"
 #include "ariadne/slam/params.h"
 #include "options.h"
-#include "run_params.h"
+#include "run_folder.h"
 
 namespace ariadne::slam_app {
 
@@ -65,7 +65,7 @@ io::DatasetOptions optionsOf(const DatasetParams& params);
 
 struct SlamConfig {
   DatasetParams dataset;
-  RunParams run;
+  app::RunParams run;
   slam::SlamParams slam;
 };
 

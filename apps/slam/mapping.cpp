@@ -1,5 +1,8 @@
 #include "mapping.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <chrono>
 #include <optional>
 
@@ -11,7 +14,7 @@ namespace ariadne::slam_app {
 using Clock = std::chrono::steady_clock;
 
 MappingRecord mapSteps(io::StepSource& source, slam::Mapper& mapper, const SlamConfig& config,
-                       const Interrupt& interrupt, Progress& progress,
+                       const app::Interrupt& interrupt, app::Progress& progress,
                        const UpdateListener& listener) {
   MappingRecord record;
   checks::DriveWatch watch(config.slam.grid, config.slam.update.least_returns);
@@ -32,7 +35,9 @@ MappingRecord mapSteps(io::StepSource& source, slam::Mapper& mapper, const SlamC
       const Clock::time_point before_listening = Clock::now();
       listener(*report);
       record.recording_s += secondsSince(before_listening);
-      progress.update(source.fraction(), record.odometry.size(), report->neff, report->particles);
+      if (progress.due())
+        progress.show(progressLine(source.fraction(), record.odometry.size(), progress.elapsed_s(),
+                                   report->neff, report->particles));
     }
   }
   progress.finish();
@@ -40,6 +45,15 @@ MappingRecord mapSteps(io::StepSource& source, slam::Mapper& mapper, const SlamC
   if (by_scans) record.scans_lost = by_scans->lost();
   record.total_s = secondsSince(start);
   return record;
+}
+
+std::string progressLine(double fraction, std::size_t scans, double elapsed_s, double neff,
+                         std::size_t particles) {
+  const double share = std::clamp(fraction, 0.0, 1.0);
+  const double rate = elapsed_s > 0 ? static_cast<double>(scans) / elapsed_s : 0;
+  const std::string left = app::timeLeft(share, elapsed_s);
+  return fmt::format("{:3.0f} %  {} scans  {:.0f} scans/s  Neff {:.1f} of {}{}{}", 100 * share,
+                     scans, rate, neff, particles, left.empty() ? "" : "  ", left);
 }
 
 }  // namespace ariadne::slam_app

@@ -1,6 +1,7 @@
 // The run itself: every step of a dataset through the mapper.
 #pragma once
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "ariadne/checks/drive_watch.h"
@@ -30,7 +31,12 @@ using UpdateListener = std::function<void(const slam::StepReport&)>;
 /// Maps until the steps end or a signal comes. With odometry from the scans the steps' own is not
 /// read, and the record's is what was made.
 MappingRecord mapSteps(io::StepSource& source, slam::Mapper& mapper, const SlamConfig& config,
-                       const Interrupt& interrupt, Progress& progress,
+                       const app::Interrupt& interrupt, app::Progress& progress,
                        const UpdateListener& listener);
+
+/// "  45 %  1234 scans  310 scans/s  Neff 23.1 of 30  0:12 left".
+/// @param fraction of the dataset that was read, 0 to 1
+std::string progressLine(double fraction, std::size_t scans, double elapsed_s, double neff,
+                         std::size_t particles);
 
 }  // namespace ariadne::slam_app

@@ -33,26 +33,14 @@ constexpr const char* kFooter =
     "  ariadne-slam ini/slam/carmen.ini drive.rawlog --truth drive.rawlog.truth.tum\n"
     "Exit code: 0 fine, 1 the run failed, 2 wrong use, 130 stopped by Ctrl-C, 143 by SIGTERM.";
 
-void declare(CLI::App& app, Options& o) {
-  app.footer(kFooter);
-  app.add_option("CONFIG", o.config_file, "INI file; may be left out before DATASET");
-  app.add_option("DATASET", o.dataset, "log to map; default: the one the INI names");
-  app.add_option("--set", o.settings, "section.key=value; may be given again and again")
-      ->allow_extra_args(false)
-      ->take_all();
-  app.add_option("--particles", o.particles, "number of particles");
-  app.add_option("--seed", o.seed, "same seed, same result, on any number of threads");
-  app.add_option("--threads", o.threads, "0: one a core");
-  app.add_option("--out", o.out, "folder to write to; default: ariadne-<dataset>-<date>-<time>");
-  app.add_option("--truth", o.truth,
-                 "true path as a TUM file, for report.html and ate_rmse_m in summary.json only");
-  app.add_flag("--overwrite", o.overwrite,
-               "replace the files of an earlier run in that folder; others stay");
-  app.add_flag("--no-pictures", o.no_pictures, "write no PNG files and no report.html");
-  app.add_flag("--print-config", o.print_config, "print the resolved INI and stop");
-  app.add_flag("--print-parameters", o.print_parameters,
-               "print the page of all parameters (Markdown) and stop");
-  app.add_flag("--quiet", o.quiet, "print only warnings and errors");
+void declare(CLI::App& program, Options& o) {
+  program.footer(kFooter);
+  program.add_option("CONFIG", o.config_file, "INI file; may be left out before DATASET");
+  program.add_option("DATASET", o.dataset, "log to map; default: the one the INI names");
+  program.add_option(
+      "--truth", o.truth,
+      "true path as a TUM file, for report.html and ate_rmse_m in summary.json only");
+  app::declareRunOptions(program, o, "dataset");
 }
 
 /// A log may stand in the place of CONFIG.

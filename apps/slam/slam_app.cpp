@@ -77,12 +77,13 @@ std::vector<Output> outputsOf(const SlamConfig& config) {
 }
 
 /// Recordings of ROS are looked through first, which is told where it takes its time.
-std::unique_ptr<io::StepSource> openLog(const DatasetParams& params, const Interrupt& interrupt,
-                                        bool quiet, std::ostream& err) {
-  Progress progress(err, progressStyle(quiet, err));
+std::unique_ptr<io::StepSource> openLog(const DatasetParams& params,
+                                        const app::Interrupt& interrupt, bool quiet,
+                                        std::ostream& err) {
+  app::Progress progress(err, app::progressStyle(quiet, err));
   io::DatasetOptions options = optionsOf(params);
   options.goes_on = [&](double share) {
-    if (progress.due()) progress.show(fmt::format("looking through it: {:3.0f} %", 100 * share));
+    progress.tell("looking through it", share);
     return interrupt.signal() == 0;
   };
   auto source = io::openDataset(params.file, options);
@@ -98,28 +99,28 @@ int mapDataset(const Options& options, ResolvedConfig resolved, std::ostream& ou
     throw core::UsageError("no dataset: name one behind CONFIG, or in the INI as [dataset] file");
   config.run.out = std::filesystem::absolute(outputFolderOf(config)).lexically_normal().string();
   io::writeIni(config, "");  // throws now, not after mapping, for a name that no INI can hold
-  warn(err, kName, resolved.warnings);
+  app::warn(err, kName, resolved.warnings);
   if (std::error_code ignored; !std::filesystem::exists(config.dataset.file, ignored))
     throw core::Error(fmt::format("there is no log {}; to map another, name it behind CONFIG",
                                   config.dataset.file));
   models::Trajectory truth;
   if (!options.truth.empty()) truth = io::readTum(options.truth);
 
-  const Interrupt interrupt;
+  const app::Interrupt interrupt;
   const auto opening = std::chrono::steady_clock::now();
   const auto source = openLog(config.dataset, interrupt, options.quiet, err);
   const std::chrono::duration<double> opened = std::chrono::steady_clock::now() - opening;
   slam::Mapper mapper(config.slam, config.run.threads);
   const std::vector<Output> outputs = outputsOf(config);
   io::prepareOutputFolder(config.run.out, namesOf(outputs), options.overwrite);
-  Progress progress(err, progressStyle(options.quiet, err));
+  app::Progress progress(err, app::progressStyle(options.quiet, err));
   report::ReplayRecorder recorder;
   MappingRecord record =
       mapSteps(*source, mapper, config, interrupt, progress, recordingOf(config, mapper, recorder));
   record.reading_s += opened.count();
   record.total_s += opened.count();
   if (mapper.updates() == 0) throw nothingMapped(config, record, mapper);
-  warn(err, kName, source->warnings());
+  app::warn(err, kName, source->warnings());
   if (record.signal != 0)
     fmt::print(err, "ariadne-slam: stopped after {} scans ({:.0f} % of the log); writing these\n",
                record.odometry.size(), 100 * source->fraction());
@@ -128,7 +129,7 @@ int mapDataset(const Options& options, ResolvedConfig resolved, std::ostream& ou
   judge(result);
   for (const std::string& w : loopWarnings(result.closings)) result.warnings.push_back(w);
   compare(result, std::move(truth), options.truth);
-  warn(
+  app::warn(
       err, kName,
       {result.warnings.begin() + static_cast<std::ptrdiff_t>(told_already), result.warnings.end()});
   if (config.run.pictures) result.replay = replayOf(recorder, mapper, result);
@@ -152,7 +153,7 @@ int run(const std::vector<std::string>& args, std::ostream& out, std::ostream& e
   }
   ResolvedConfig resolved = resolveConfig(*options);
   if (!options->print_config) return mapDataset(*options, std::move(resolved), out, err);
-  warn(err, kName, resolved.warnings);
+  app::warn(err, kName, resolved.warnings);
   out << io::writeIni(resolved.config, "Configuration of ariadne-slam.");
   return 0;
 }
@@ -160,7 +161,7 @@ int run(const std::vector<std::string>& args, std::ostream& out, std::ostream& e
 }  // namespace
 
 int runSlamApp(const std::vector<std::string>& args, std::ostream& out, std::ostream& err) {
-  return runProgram(kName, err, [&] { return run(args, out, err); });
+  return app::runProgram(kName, err, [&] { return run(args, out, err); });
 }
 
 }  // namespace ariadne

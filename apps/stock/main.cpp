@@ -4,19 +4,19 @@
 #include <mrpt/config/CConfigFileMemory.h>
 #include <mrpt/random.h>
 
-#include <cstdio>
 #include <iostream>
 #include <optional>
 
-#include "ariadne/core/error.h"
 #include "ariadne/io/whole_file.h"
 #include "command_line.h"
+#include "run_program.h"
 #include "stock_mapping.h"
 #include "stock_outputs.h"
 
 namespace {
 
 using namespace mrpt;
+constexpr const char* kName = "ariadne-stock-rbpf";
 constexpr const char* kSection = "MappingApplication";
 
 struct Options {
@@ -52,30 +52,25 @@ slam::CMetricMapBuilderRBPF::TConstructionOptions builderOptions(const Options& 
   return options;
 }
 
+int run(const std::vector<std::string>& args) {
+  CLI::App app("MRPT's CMetricMapBuilderRBPF on a rawlog, headless; for benchmarks.", kName);
+  Options o;
+  declare(app, o);
+  if (!ariadne::app::parseCommandLine(app, args, std::cout)) return 0;
+  int seed = -1;
+  slam::CMetricMapBuilderRBPF builder(builderOptions(o, seed));
+  if (seed >= 0)
+    random::getRandomGenerator().randomize(static_cast<std::uint32_t>(seed));
+  else
+    random::getRandomGenerator().randomize();
+  const auto run = ariadne::stock_app::mapRawlog(o.rawlog, builder);
+  ariadne::stock_app::printCosts(run, builder);
+  ariadne::stock_app::writeOutputs(o.files, run, builder);
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("MRPT's CMetricMapBuilderRBPF on a rawlog, headless; for benchmarks.",
-               "ariadne-stock-rbpf");
-  try {
-    Options o;
-    declare(app, o);
-    if (!ariadne::app::parseCommandLine(app, {argv + 1, argv + argc}, std::cout)) return 0;
-    int seed = -1;
-    slam::CMetricMapBuilderRBPF builder(builderOptions(o, seed));
-    if (seed >= 0)
-      random::getRandomGenerator().randomize(static_cast<std::uint32_t>(seed));
-    else
-      random::getRandomGenerator().randomize();
-    const auto run = ariadne::stock_app::mapRawlog(o.rawlog, builder);
-    ariadne::stock_app::printCosts(run, builder);
-    ariadne::stock_app::writeOutputs(o.files, run, builder);
-    return 0;
-  } catch (const ariadne::core::UsageError& e) {
-    std::fprintf(stderr, "ariadne-stock-rbpf: %s\n", e.what());
-    return 2;
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "ariadne-stock-rbpf: %s\n", e.what());
-    return 1;
-  }
+  return ariadne::app::runProgram(kName, std::cerr, [&] { return run({argv + 1, argv + argc}); });
 }

@@ -54,7 +54,7 @@ void writeOutputs(const OutputFiles& files, const StockRun& run,
   const nlohmann::ordered_json json{
       {"program", "ariadne-stock-rbpf"},
       {"versions", {{"mrpt", mrpt::system::MRPT_getVersion()}}},
-      {"scans", run.path.size()},
+      {"dataset", {{"scans", run.path.size()}}},
       {"filter",
        {{"updates", run.updates},
         {"frames_in_map", builder.getCurrentlyBuiltMapSize()},

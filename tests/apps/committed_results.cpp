@@ -4,24 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
-#include "ariadne/io/whole_file.h"
+#include "ariadne/io/csv.h"
 
 namespace ariadne::test {
 namespace {
 
 using Row = std::vector<std::string>;
-
-Row cellsOf(const std::string& line) {
-  Row cells(1);
-  for (const char c : line)
-    if (c == ',')
-      cells.emplace_back();
-    else
-      cells.back() += c;
-  return cells;
-}
 
 /// Values of the factors and the arm: what stands between seed and failed.
 Row likes(const Runs& runs, const Row& row) {
@@ -61,15 +50,9 @@ std::size_t Runs::column(const std::string& name) const {
 }
 
 Runs readRuns(const std::filesystem::path& file) {
-  std::istringstream in(io::readWhole(file));
-  Runs runs;
-  std::string line;
-  std::getline(in, line);
-  runs.columns = cellsOf(line);
-  while (std::getline(in, line)) {
-    runs.rows.push_back(cellsOf(line));
-    EXPECT_EQ(runs.rows.back().size(), runs.columns.size()) << file << ": " << line;
-  }
+  const io::CsvTable table = io::readCsv(file);
+  Runs runs{table.header(), {}};
+  for (std::size_t i = 0; i < table.size(); ++i) runs.rows.push_back(table.row(i));
   return runs;
 }
 

@@ -109,7 +109,7 @@ TEST(IniOfAProgram, ThatOfAnotherIsRecognised) {
       {"ariadne-slam", "slam/sena.ini"},
       {"ariadne-explore", "explore/nested.ini"},
       {"ariadne-experiment", "paper/small.ini"},
-      {"ariadne-loop-experiment", "experiments/small.ini"}};
+      {"ariadne-loop-experiment", "paper/drives/small.ini"}};
   for (const auto& [program, file] : programs)
     for (const auto& [other, its_file] : programs) {
       const fs::path path = ini / its_file;
@@ -135,8 +135,7 @@ TEST(IniOfAProgram, IsSaidByThePrograms) {
            {"slam " + ini + "explore/nested.ini", "ariadne-explore "},
            {"explore " + ini + "slam/carmen.ini", "ariadne-slam "},
            {"experiment run " + ini + "explore/nested.ini --dry-run", "ariadne-explore "},
-           {"loop-experiment run " + ini + "paper/small.ini /nowhere/a.csv",
-            "ariadne-experiment run "}}) {
+           {"loop-experiment " + ini + "paper/small.ini", "ariadne-experiment run "}}) {
     int code = -1;
     const std::string said = run(bin + "/ariadne-" + call, code);
     EXPECT_EQ(code, 2) << said;

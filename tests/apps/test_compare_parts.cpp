@@ -3,10 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "../io/temporary_folder.h"
 #include "ariadne/core/error.h"
-#include "ariadne/io/whole_file.h"
-#include "child_process.h"
 #include "comparison_output.h"
 
 using namespace ariadne;
@@ -21,8 +18,6 @@ Comparison example() {
                {{"updates", "", "of the filter"}, {7, 7, 7}, {0, 0, 0}}};
   return c;
 }
-
-class ChildProcess : public TemporaryFolder {};
 
 }  // namespace
 
@@ -58,34 +53,4 @@ TEST(Comparison, IsWrittenWithItsRequirements) {
 TEST(Requirement, OfAnyLengthIsAnsweredAndNotAnOverflow) {
   for (const std::string& text : {std::string(200000, 'a'), "a<" + std::string(200000, '1')})
     EXPECT_THROW(parseRequirement(text, {"a"}, {}), core::UsageError);
-}
-
-TEST_F(ChildProcess, IsMeasuredByItself) {
-  // A shell that keeps one core busy for a while; its memory is not that of this process.
-  const auto costs = runChild(
-      {"/bin/sh", "-c", "i=0; while [ $i -lt 100000 ]; do i=$((i+1)); done"}, folder / "log");
-  EXPECT_GT(costs.cpu_s, 0.01);
-  EXPECT_LE(costs.cpu_s, costs.wall_s + 0.1);
-  EXPECT_GT(costs.memory_mb, 0.5);
-  const auto ours = runChild({"/bin/cat", "/proc/self/status"}, folder / "status");
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-  EXPECT_LT(ours.memory_mb, 30) << "2.3 measured; this process, with our libraries, has over 70";
-#endif
-}
-
-TEST_F(ChildProcess, TellsHowItEnded) {
-  const auto said = [&](const std::vector<std::string>& command) -> std::string {
-    try {
-      runChild(command, folder / "log");
-    } catch (const core::Error& e) {
-      return e.what();
-    }
-    return "";
-  };
-  EXPECT_NE(said({"/bin/sh", "-c", "echo first; echo 'last words' >&2; exit 3"})
-                .find("exit code 3: last words"),
-            std::string::npos);
-  EXPECT_NE(said({"/bin/sh", "-c", "kill -9 $$"}).find("killed by signal 9"), std::string::npos);
-  EXPECT_NE(said({(folder / "none").string()}).find("cannot be started"), std::string::npos);
-  EXPECT_THROW(findProgram("", "ariadne-no-such-program"), core::UsageError);
 }

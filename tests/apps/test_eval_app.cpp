@@ -138,3 +138,31 @@ TEST_F(EvalApp, PlansAnExperiment) {
   EXPECT_NE(err.str().find("between 0 and 0.07"), std::string::npos) << err.str();
   EXPECT_EQ(run({"plan", "--help"}), 0);
 }
+
+TEST_F(EvalApp, NeffOfALogByItsPasses) {
+  io::writeWhole(path("truth.tum"), "0 0 0 0 0 0 0 1\n30 30 0 0 0 0 0 1\n60 0 0 0 0 0 0 1\n");
+  const auto steps = [&](const char* name, const char* neff) {
+    io::writeWhole(path(name),
+                   "step,time_s,neff,resampled,particles\n0,0,30,0,30\n"
+                   "1,15,15,1,30\n2,55," +
+                       std::string(neff) + ",0,30\n");
+    return path(name);
+  };
+  ASSERT_EQ(run({"neff-log", path("truth.tum"), path("neff.png"), "--plain", steps("a.csv", "15"),
+                 steps("b.csv", "15"), "--revisit", steps("c.csv", "30"), steps("d.csv", "30")}),
+            0)
+      << err.str();
+  const std::string said = out.str();
+  // ln 2 over 15 m of new ground; the same over 40 m on the way back, or nothing.
+  EXPECT_NE(said.find("| never | 15 | plain | -0.46 [-0.46 to -0.46] | 0.67 "), std::string::npos)
+      << said;
+  EXPECT_NE(said.find("| once | 40 | plain | -0.17 "), std::string::npos) << said;
+  EXPECT_NE(said.find("| once | 40 | revisit | 0.00 "), std::string::npos) << said;
+  EXPECT_EQ(said.find("twice"), std::string::npos) << "nothing was";
+  EXPECT_TRUE(fs::exists(path("neff.png")));
+  EXPECT_EQ(run({"neff-log", path("truth.tum"), path("neff.png"), "--plain", "/none.csv",
+                 "--revisit", "/none.csv"}),
+            1);
+  EXPECT_EQ(run({"neff", path("none.ini"), path("x.png")}), 1);
+  EXPECT_EQ(run({"neff"}), 2);
+}

@@ -60,7 +60,7 @@ TEST_F(ExperimentApp, TheShippedExperimentComesToTheSameBytesInSlices) {
 
 TEST_F(ExperimentApp, APairedRunIsOfBothArms) {
   const fs::path loops =
-      ariadne::test::shippedDatasets().parent_path() / "ini" / "experiments" / "small.ini";
+      ariadne::test::shippedDatasets().parent_path() / "ini/paper/drives/small.ini";
   std::string text = "[experiment]\ntitle = Laps\n[figures]\nnames = ate_m\nsuccess = chosen\n";
   for (const char* arm : {"standard", "recovered"})
     text += std::string("[arm.") + arm +
@@ -117,7 +117,7 @@ TEST_F(ExperimentApp, PlotsAndPageAreWrittenWhenRunsEnd) {
   fs::remove(folder / "a" / "report.html");
   ASSERT_EQ(run({"report", at("a")}), 0) << err;
   EXPECT_EQ(ariadne::io::readWhole(folder / "a" / "report.html"), page);
-  if (ariadne::batch::findInPath("gnuplot").empty()) GTEST_SKIP() << "gnuplot-nox is missing";
+  if (ariadne::process::findInPath("gnuplot").empty()) GTEST_SKIP() << "gnuplot-nox is missing";
   EXPECT_EQ(std::distance(fs::directory_iterator(folder / "a" / "plots"), {}), 2);
   fs::remove_all(folder / "a" / "plots");
   ASSERT_EQ(run({"plot", at("a")}), 0) << err;
@@ -130,7 +130,7 @@ TEST_F(ExperimentApp, WithoutGnuplotOnlyThePlotsAreMissing) {
   const std::string path = std::getenv("PATH");
   fs::create_directory(folder / "bin");
   for (const char* tool : {"grep", "sh", "cat"})
-    fs::create_symlink(ariadne::batch::findInPath(tool), folder / "bin" / tool);
+    fs::create_symlink(ariadne::process::findInPath(tool), folder / "bin" / tool);
   ::setenv("PATH", at("bin").c_str(), 1);
   EXPECT_EQ(runInto("a"), 0) << err;
   EXPECT_TRUE(says("no plots: ")) << err;

@@ -46,7 +46,7 @@ TEST_F(ExperimentExport, IsTheSameBytesOnAnyNumberOfJobsWithoutPathsAndHosts) {
   EXPECT_EQ(one, exported("3"));
   for (const char* file : {"table.txt", "table.csv", "table.md", "table.tex", "runs.csv"})
     EXPECT_EQ(one.count(file), 1U) << file;
-  EXPECT_EQ(one.size(), ariadne::batch::findInPath("gnuplot").empty() ? 5U : 7U);
+  EXPECT_EQ(one.size(), ariadne::process::findInPath("gnuplot").empty() ? 5U : 7U);
   const auto& runs = one.at("runs.csv");
   EXPECT_EQ(runs.substr(0, runs.find("\n2,")),
             "seed,p,arm,failed,success,value\n1,1,first,0,1,2\n1,1,second,0,1,3\n"

@@ -28,9 +28,9 @@ bool isHere(const std::string& name) {
   if (name == "datasets")
     return fs::exists(
         "/usr/share/mrpt/datasets/2006-01ENE-21-SENA_Telecom Faculty_one_loop_only.rawlog");
-  return name != "killian_court" ||
-         fs::exists(ariadne::io::datasetPlace(
-             "infinite-corridor/infinite-corridor-corrected.log.gz", kProject / "ini/experiments"));
+  return name != "killian_court" || fs::exists(ariadne::io::datasetPlace(
+                                        "infinite-corridor/infinite-corridor-corrected.log.gz",
+                                        kProject / "ini/paper/drives"));
 }
 
 struct Said {
@@ -100,6 +100,7 @@ TEST(PaperInis, AllCanBePlannedAndHaveCommittedResults) {
   std::size_t count = 0;
   for (const auto& entry : fs::directory_iterator(kProject / "ini" / "paper")) {
     SCOPED_TRACE(entry.path().string());
+    if (entry.is_directory()) continue;  // the drives
     ++count;
     const std::string name = entry.path().stem().string();
     const Said said = call({"run", entry.path().string(), "--dry-run"});

@@ -37,7 +37,7 @@ class Submit : public StandIn {
   void withoutSlurm() const {
     for (const char* name : {"sbatch", "squeue", "sacct"}) fs::remove(folder / "bin" / name);
     for (const char* name : {"sh", "cat", "grep"})
-      fs::create_symlink(ariadne::batch::findInPath(name), folder / "bin" / name);
+      fs::create_symlink(ariadne::process::findInPath(name), folder / "bin" / name);
     ::setenv("PATH", (folder / "bin").c_str(), 1);
   }
   /// squeue's answer: name, job, slice, state, reason.
@@ -212,7 +212,7 @@ TEST_F(Submit, AnAnswerWithoutANumberIsTold) {
 }
 
 TEST_F(Submit, GnuParallelDoesTheSlices) {
-  if (ariadne::batch::findInPath("parallel").empty()) GTEST_SKIP() << "no GNU parallel";
+  if (ariadne::process::findInPath("parallel").empty()) GTEST_SKIP() << "no GNU parallel";
   EXPECT_EQ(submit({"--engine", "parallel"}), 2);
   EXPECT_TRUE(says("--sshloginfile")) << err;
   const std::string hosts = (folder / "hosts").string();

@@ -135,15 +135,4 @@ TEST(BatchFigures, OfSummariesRowsAndPrints) {
                              "s"),
             (Figures{{"a.b", 1.5}, {"d", 1}}));
   EXPECT_THROW(figuresOfSummary("{", "s"), core::Error);
-  EXPECT_EQ(figuresOfRow("name,laps,x,y\nnested,10,,1e-3\n", "r"),
-            (Figures{{"laps", 10}, {"y", 0.001}}));
-  EXPECT_THROW(figuresOfRow("name,laps\n", "r"), core::Error);
-  EXPECT_EQ(figuresOfStock("scans 12, frames in the map 3, CPU user+system 1.50 s, peak memory 70 "
-                           "MB\n",
-                           "p"),
-            (Figures{{"dataset.scans", 12},
-                     {"frames", 3},
-                     {"costs.cpu_s", 1.5},
-                     {"costs.peak_memory_mb", 70}}));
-  EXPECT_THROW(figuresOfStock("", "p"), core::Error);
 }

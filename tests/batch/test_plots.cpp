@@ -125,7 +125,8 @@ TEST(PlotData, UnitsFromNames) {
 class DrawnPlots : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (findInPath("gnuplot").empty()) GTEST_SKIP() << "gnuplot-nox is not installed";
+    if (ariadne::process::findInPath("gnuplot").empty())
+      GTEST_SKIP() << "gnuplot-nox is not installed";
   }
 };
 

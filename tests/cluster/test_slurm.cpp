@@ -5,10 +5,10 @@
 #include <cstdlib>
 
 #include "../io/temporary_folder.h"
-#include "ariadne/cluster/called.h"
 #include "ariadne/cluster/slurm_script.h"
 #include "ariadne/core/error.h"
 #include "ariadne/io/whole_file.h"
+#include "ariadne/process/call.h"
 
 using namespace ariadne;
 namespace fs = std::filesystem;
@@ -56,11 +56,11 @@ TEST_F(SlurmScriptRun, NamesThatShellsGetWrongComeThrough) {
   io::writeWhole(folder / "script", text);
   const std::vector<std::string> command{"env", "SLURM_ARRAY_TASK_ID=2", "sh",
                                          (folder / "script").string()};
-  auto ran = cluster::call(command);
+  auto ran = process::call(command);
   EXPECT_FALSE(ran.ok);
   EXPECT_TRUE(has(ran.error, "does not see")) << ran.error;
   io::writeWhole(odd / "plan.json", std::string_view("{}"));
-  ran = cluster::call(command);
+  ran = process::call(command);
   EXPECT_TRUE(ran.ok) << ran.error;
   EXPECT_TRUE(has(ran.out, "[work]\n[" + odd.string() + "]\n[--slice]\n[2/3]\n[--jobs]\n[1]\n"))
       << ran.out;
@@ -98,26 +98,4 @@ TEST(SlurmOptions, WrongOnesAreNamed) {
   EXPECT_TRUE(has(problem([](auto& o) { o.memory.assign(200000, '1'); }), "--mem 1"));
   EXPECT_TRUE(has(problem([](auto& o) { o.memory = "4 G"; }), "--mem 4 G: takes"));
   EXPECT_TRUE(has(problem([](auto& o) { o.more = {"account"}; }), "--sbatch account: takes"));
-}
-
-TEST(Called, TellsWhatIsMissingFailsOrHangs) {
-  EXPECT_TRUE(cluster::call({"no-such-program-here"}).missing);
-  const auto failed = cluster::call({"sh", "-c", "echo a; echo b >&2; exit 3"});
-  EXPECT_FALSE(failed.ok);
-  EXPECT_EQ(failed.out, "a\n");
-  EXPECT_EQ(failed.error, "b");
-  EXPECT_EQ(cluster::call({"sh", "-c", "exit 3"}).error, "exit code 3");
-  EXPECT_TRUE(has(cluster::call({"sleep", "100"}, 0.2).error, "no answer"));
-}
-
-TEST_F(SlurmScriptRun, WhatACalledProgramPrintsLiesWhereOthersCannotPutALink) {
-  fs::create_directories(folder / "tmp");
-  io::writeWhole(folder / "victim", std::string_view("precious"));
-  fs::create_symlink(folder / "victim",
-                     folder / "tmp" / ("ariadne-called-" + std::to_string(::getpid())));
-  ::setenv("TMPDIR", (folder / "tmp").c_str(), 1);
-  const auto called = cluster::call({"sh", "-c", "echo a"});
-  ::unsetenv("TMPDIR");
-  EXPECT_EQ(called.out, "a\n");
-  EXPECT_EQ(io::readWhole(folder / "victim"), "precious");
 }

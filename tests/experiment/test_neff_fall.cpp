@@ -51,7 +51,7 @@ TEST_F(NeffSteps, WhatIsNoneIsNamed) {
     experiment::readNeffSteps(with(std::string(kHeader) + "0,1,30,0,30,1\n1,2,x,0,30,1\n"));
     ADD_FAILURE() << "no core::Error";
   } catch (const core::Error& e) {
-    EXPECT_NE(std::string(e.what()).find(":3: \"x\""), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find(":3: neff: \"x\""), std::string::npos) << e.what();
   }
 }
 

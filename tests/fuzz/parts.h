@@ -27,7 +27,7 @@ void readPlan(const Path& file);
 void readResult(const Path& file);
 void readJob(const Path& file);
 void readJoblog(const Path& file);
-void readRows(const Path& file);
+void readCsv(const Path& file);
 void readSteps(const Path& file);
 void readFigures(const Path& file);
 

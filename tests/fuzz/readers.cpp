@@ -34,7 +34,7 @@ const std::vector<Reader>& readers() {
                                           {"result", "in.json", readResult},
                                           {"job", "job.json", readJob},
                                           {"joblog", "joblog.tsv", readJoblog},
-                                          {"rows", "in.csv", readRows},
+                                          {"csv", "in.csv", readCsv},
                                           {"steps", "in.csv", readSteps},
                                           {"figures", "in.txt", readFigures}};
   return all;

@@ -6,10 +6,8 @@
 #include "ariadne/cluster/parallel_command.h"
 #include "ariadne/cluster/slices.h"
 #include "ariadne/cluster/submission.h"
-#include "ariadne/core/error.h"
-#include "ariadne/experiment/loop_table.h"
 #include "ariadne/experiment/neff_fall.h"
-#include "ariadne/experiment/run_rows.h"
+#include "ariadne/io/csv.h"
 #include "ariadne/io/whole_file.h"
 #include "parts.h"
 
@@ -64,22 +62,14 @@ void readJob(const Path& file) {
 
 void readJoblog(const Path& file) { cluster::readJoblog(file); }
 
-void readRows(const Path& file) {
-  const auto rows = experiment::readRows(file);
-  experiment::loopTable(rows);
-  for (const auto& row : rows) experiment::toLine(row);
-}
-
 void readSteps(const Path& file) { experiment::readNeffSteps(file); }
 
-/// What a run's program left: each reader takes what it can.
-void readFigures(const Path& file) {
-  const std::string text = io::readWhole(file);
-  for (const auto read : {batch::figuresOfSummary, batch::figuresOfRow, batch::figuresOfStock})
-    try {
-      read(text, "in.txt");
-    } catch (const core::Error&) {
-    }
+/// What a run's program left.
+void readFigures(const Path& file) { batch::figuresOfSummary(io::readWhole(file), "in.txt"); }
+
+void readCsv(const Path& file) {
+  const io::CsvTable table = io::readCsv(file);
+  for (std::size_t i = 0; i < table.size(); ++i) table.number(i, table.column("x"));
 }
 
 }  // namespace ariadne::fuzz

@@ -85,15 +85,16 @@ void checkCall(const Arm& arm, const Program& program, const ArmCall& call) {
     fail(fmt::format("config = {}: there is no file {}", arm.config, call.config.string()));
   if (const std::string why = call.dataset.empty() ? "" : whyNoData(call.dataset); !why.empty())
     fail(fmt::format("dataset = {}: {}: {}", arm.dataset, call.dataset, why));
-  if (program.kind == ProgramKind::stock && call.dataset.empty())
-    fail("ariadne-stock-rbpf needs a dataset, a rawlog of actions and frames");
-  if (program.kind == ProgramKind::stock && !call.settings.empty())
+  const ProgramDescription& takes = program.description();
+  const char* const name = takes.name;
+  if (takes.dataset == TakesDataset::never && !call.dataset.empty())
+    fail(fmt::format("{} takes no dataset: its INI names its data", name));
+  if (takes.prints_config) return;
+  if (call.dataset.empty()) fail(fmt::format("{} needs a dataset", name));
+  if (!call.settings.empty())
     fail(
-        fmt::format("ariadne-stock-rbpf takes no section.key, here {}: use args or a factor with "
-                    "key = --particles",
-                    call.settings[0]));
-  if (program.kind == ProgramKind::loops && !call.dataset.empty())
-    fail("ariadne-loop-experiment takes no dataset: its INI names world and path");
+        fmt::format("{} takes no section.key, here {}: use args or a factor with key = --particles",
+                    name, call.settings[0]));
 }
 
 }  // namespace ariadne::batch

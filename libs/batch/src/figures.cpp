@@ -2,11 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "ariadne/core/error.h"
 #include "ariadne/eval/errors.h"
@@ -28,14 +25,6 @@ void collect(const PlainJson& at, const std::string& name, int depth, Figures& f
     for (const auto& [key, value] : at.items())
       if (key != "parameters")
         collect(value, name.empty() ? key : name + "." + key, depth + 1, figures);
-}
-
-std::vector<std::string> cellsOf(std::string line) {
-  if (!line.empty() && line.back() == '\r') line.pop_back();
-  std::vector<std::string> cells;
-  std::istringstream stream(line);
-  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-  return cells;
 }
 
 /// Of poses at most this far apart in time one is interpolated, as ariadne-slam --truth does.
@@ -60,48 +49,8 @@ Figures figuresOfSummary(const std::string& text, const std::string& name) {
   }
 }
 
-Figures figuresOfRow(const std::string& csv, const std::string& name) {
-  std::istringstream lines(csv);
-  std::string header;
-  std::string row;
-  if (!std::getline(lines, header) || !std::getline(lines, row) || row.empty())
-    throw core::Error(fmt::format("{} holds no row", name));
-  const auto names = cellsOf(header);
-  const auto cells = cellsOf(row);
-  Figures figures;
-  for (std::size_t i = 0; i < cells.size() && i < names.size(); ++i) {
-    double value = 0;
-    const char* end = cells[i].data() + cells[i].size();
-    const auto read = std::from_chars(cells[i].data(), end, value);
-    if (read.ec == std::errc() && read.ptr == end && std::isfinite(value))
-      figures[names[i]] = value;
-  }
-  return figures;
-}
-
-Figures figuresOfStock(const std::string& printed, const std::string& name) {
-  double scans = 0;
-  double frames = 0;
-  double cpu_s = 0;
-  double memory_mb = 0;
-  if (std::sscanf(printed.c_str(),
-                  "scans %lf, frames in the map %lf, CPU user+system %lf s, peak memory %lf MB",
-                  &scans, &frames, &cpu_s, &memory_mb) != 4)
-    throw core::Error(fmt::format("{} is not what ariadne-stock-rbpf prints", name));
-  return {{"dataset.scans", scans},
-          {"frames", frames},
-          {"costs.cpu_s", cpu_s},
-          {"costs.peak_memory_mb", memory_mb}};
-}
-
 Figures figuresOf(const PlannedArm& arm, const std::filesystem::path& out) {
-  Figures figures;
-  if (arm.program.kind == ProgramKind::loops)
-    figures = figuresOfRow(io::readText(out / "rows.csv"), "rows.csv");
-  else if (arm.program.kind == ProgramKind::stock)
-    figures = figuresOfStock(io::readWhole(out / kPrintedFile), kPrintedFile);
-  else
-    figures = figuresOfSummary(io::readWhole(out / "summary.json"), "summary.json");
+  Figures figures = figuresOfSummary(io::readWhole(out / "summary.json"), "summary.json");
   if (!arm.truth.empty()) figures["ate_rmse_m"] = ateOf(out / "trajectory.tum", arm.truth);
   return figures;
 }

@@ -15,7 +15,6 @@ using Json = nlohmann::ordered_json;
 Json armJson(const PlannedArm& arm) {
   return {{"name", arm.name},
           {"prefix", arm.prefix},
-          {"kind", nameOf(arm.program.kind)},
           {"program", arm.program.path.string()},
           {"truth", arm.truth}};
 }
@@ -23,7 +22,7 @@ Json armJson(const PlannedArm& arm) {
 PlannedArm armOf(const Json& json) {
   return {json.at("name"),
           json.at("prefix"),
-          {kindOf(json.at("kind")), json.at("program").get<std::string>()},
+          {json.at("program").get<std::string>()},
           json.at("truth")};
 }
 

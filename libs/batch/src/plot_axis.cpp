@@ -2,20 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <map>
+
+#include "ariadne/core/numbers.h"
 
 namespace ariadne::batch {
 namespace {
 
 using Values = std::vector<std::string>;
 
-/// A number in C notation and nothing behind it.
 std::optional<double> numberOf(const std::string& text) {
-  char* end = nullptr;
-  const double number = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || !std::isfinite(number)) return std::nullopt;
-  return number;
+  const auto number = core::parseNumber(text);
+  return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 /// In the plan's order.

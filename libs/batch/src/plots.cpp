@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "ariadne/batch/process.h"
 #include "ariadne/batch/program.h"
 #include "ariadne/core/error.h"
 #include "ariadne/io/scratch_folder.h"
 #include "ariadne/io/whole_file.h"
+#include "ariadne/process/process.h"
 #include "plot_script.h"
 
 namespace ariadne::batch {
@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 constexpr double kLimit_s = 300;
 
 fs::path findGnuplot() {
-  const fs::path program = findInPath("gnuplot");
+  const fs::path program = process::findInPath("gnuplot");
   if (program.empty())
     throw core::Error("plots are drawn by gnuplot, which is missing: install gnuplot-nox");
   return program;
@@ -31,8 +31,8 @@ std::string lastLine(std::string words) {
 
 void callGnuplot(const fs::path& script) {
   // -d: without what the user's own start files say
-  Process process({findGnuplot().string(), "-d", script.string()}, {});
-  const ProcessEnd end = endOf(process, kLimit_s, "gnuplot");
+  process::Process process({findGnuplot().string(), "-d", script.string()}, {});
+  const process::ProcessEnd end = endOf(process, kLimit_s, "gnuplot");
   if (end.signal != 0 || end.exit_code != 0)
     throw core::Error(fmt::format("gnuplot: {}: {}", describe(end), lastLine(end.last_words)));
 }

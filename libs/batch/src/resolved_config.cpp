@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "ariadne/batch/process.h"
 #include "ariadne/core/error.h"
 #include "ariadne/io/ini_text.h"
 #include "ariadne/io/scratch_folder.h"
 #include "ariadne/io/whole_file.h"
+#include "ariadne/process/process.h"
 #include "data_place.h"
 
 namespace ariadne::batch {
@@ -44,9 +44,9 @@ std::string resolvedConfig(const Program& program, const ArmCall& call, const st
   if (command.empty()) return io::readIniText(call.config);
   const io::ScratchFolder scratch("config");
   const fs::path printed = scratch.path() / "config.ini";
-  Process process(command, printed);
+  process::Process process(command, printed);
   const std::string what = program.path.string() + " --print-config";
-  const ProcessEnd end = endOf(process, kPrintLimit_s, fmt::format("{}: {}", where, what));
+  const process::ProcessEnd end = endOf(process, kPrintLimit_s, fmt::format("{}: {}", where, what));
   if (end.signal != 0 || end.exit_code != 0)
     throw core::UsageError(fmt::format("{}: {}", where,
                                        end.last_words.empty()

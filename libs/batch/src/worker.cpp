@@ -23,9 +23,9 @@ fs::path fresh(const fs::path& folder) {
 }
 
 Process start(const Store& store, const Plan& plan, const PlannedRun& run, const fs::path& out) {
-  const Program& program = plan.arms[run.arm].program;
-  return {runCommand(program, run.arguments, store.config(run.config), out, plan.limits),
-          program.kind == ProgramKind::stock ? out / kPrintedFile : fs::path()};
+  return {runCommand(plan.arms[run.arm].program, run.arguments, store.config(run.config), out,
+                     plan.limits),
+          {}};
 }
 
 bool saysDiskIsFull(const std::string& words) {

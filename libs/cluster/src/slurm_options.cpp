@@ -6,11 +6,12 @@
 
 #include "ariadne/core/error.h"
 #include "ariadne/core/names.h"
+#include "ariadne/core/numbers.h"
 
 namespace ariadne::cluster {
 namespace {
 
-double number(const std::ssub_match& match) { return match.matched ? std::stod(match) : 0; }
+double number(const std::ssub_match& match) { return core::parseNumber(match.str()).value_or(0); }
 
 void checkWord(const char* option, const std::string& word, const char* pattern,
                const char* takes) {

@@ -5,9 +5,9 @@
 #include <charconv>
 #include <sstream>
 
-#include "ariadne/cluster/called.h"
 #include "ariadne/core/error.h"
 #include "ariadne/core/names.h"
+#include "ariadne/process/call.h"
 
 namespace ariadne::cluster {
 namespace {
@@ -54,7 +54,7 @@ std::string stateIn(const std::string& line) {
   return is_state && (state == line || line.find(" by ") == state.size()) ? state : "";
 }
 
-std::string problemOf(const std::string& program, const Called& called) {
+std::string problemOf(const std::string& program, const process::Called& called) {
   if (called.missing) return fmt::format("{} is not here (Debian's package slurm-client)", program);
   if (called.ok || called.error.rfind(program + ":", 0) == 0) return called.ok ? "" : called.error;
   return fmt::format("{}: {}", program, called.error);
@@ -63,7 +63,7 @@ std::string problemOf(const std::string& program, const Called& called) {
 }  // namespace
 
 std::string submitToSlurm(const std::filesystem::path& script) {
-  const Called called = call({"sbatch", "--parsable", script.string()});
+  const process::Called called = process::call({"sbatch", "--parsable", script.string()});
   if (called.missing)
     throw core::UsageError(
         "there is no sbatch in PATH: install Debian's package slurm-client, or take the script of "
@@ -81,9 +81,9 @@ std::string submitToSlurm(const std::filesystem::path& script) {
 }
 
 Queue askSqueue(const std::vector<std::string>& names) {
-  const Called called =
-      call({"squeue", "--noheader", "--array", fmt::format("--name={}", fmt::join(names, ",")),
-            "--format=%j|%F|%K|%T|%r"});
+  const process::Called called =
+      process::call({"squeue", "--noheader", "--array",
+                     fmt::format("--name={}", fmt::join(names, ",")), "--format=%j|%F|%K|%T|%r"});
   Queue queue{problemOf("squeue", called), {}};
   if (!queue.problem.empty()) return queue;
   for (const std::string& line : linesOf(called.out)) {
@@ -98,7 +98,7 @@ Queue askSqueue(const std::vector<std::string>& names) {
 }
 
 Account askSacct(const std::string& id) {
-  const Called called = call(
+  const process::Called called = process::call(
       {"sacct", "--noheader", "--parsable2", "--allocations", "--jobs=" + id, "--format=State"});
   Account account{problemOf("sacct", called), {}};
   if (!account.problem.empty()) return account;

@@ -4,44 +4,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <sstream>
 
 #include "ariadne/core/error.h"
-#include "ariadne/io/whole_file.h"
+#include "ariadne/io/csv.h"
 
 namespace ariadne::experiment {
-namespace {
-
-// What ariadne-slam puts first on a line.
-constexpr const char* kColumns = "step,time_s,neff,resampled,particles,";
-
-NeffStep stepOf(const std::string& line, const std::string& place) {
-  std::istringstream in(line);
-  std::array<double, 5> v{};
-  for (double& number : v) {
-    std::string cell;
-    std::getline(in, cell, ',');
-    char* end = nullptr;
-    number = std::strtod(cell.c_str(), &end);
-    if (cell.empty() || *end != '\0' || !std::isfinite(number))
-      throw core::Error(fmt::format("{}: \"{}\" is no number", place, cell));
-  }
-  if (v[2] <= 0 || v[4] <= 0)
-    throw core::Error(fmt::format("{}: Neff {} of {} particles", place, v[2], v[4]));
-  return {v[1], v[2], v[3] != 0, v[4]};
-}
-
-}  // namespace
-
 std::vector<NeffStep> readNeffSteps(const std::filesystem::path& file) {
-  std::istringstream in(io::readText(file));
-  std::string line;
-  if (!std::getline(in, line) || line.rfind(kColumns, 0) != 0)
-    throw core::Error(file.string() + ":1: is no steps.csv of ariadne-slam");
+  const io::CsvTable table = io::readCsv(file);
+  const std::size_t time_s = table.column("time_s");
+  const std::size_t neff = table.column("neff");
+  const std::size_t resampled = table.column("resampled");
+  const std::size_t particles = table.column("particles");
   std::vector<NeffStep> steps;
-  for (int number = 2; std::getline(in, line); ++number)
-    steps.push_back(stepOf(line, fmt::format("{}:{}", file.string(), number)));
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    steps.push_back({table.number(i, time_s), table.number(i, neff),
+                     table.number(i, resampled) != 0, table.number(i, particles)});
+    if (steps.back().neff <= 0 || steps.back().particles <= 0)
+      throw core::Error(fmt::format("{}: Neff {} of {} particles", table.place(i),
+                                    steps.back().neff, steps.back().particles));
+  }
   return steps;
 }
 

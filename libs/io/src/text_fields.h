@@ -1,10 +1,11 @@
-// Lines and numbers of the text formats (TUM, CARMEN), whatever the locale.
+// Lines and numbers of the text formats (TUM, CARMEN).
 #pragma once
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <string_view>
 #include <vector>
+
+#include "ariadne/core/numbers.h"
 
 namespace ariadne::io {
 
@@ -22,21 +23,9 @@ inline void splitFields(std::string_view line, std::vector<std::string_view>& fi
   }
 }
 
-/// The number that fills the word; "nan" and "inf" are numbers, a number and a rest is none.
-inline std::optional<double> parseNumber(std::string_view word) {
-  if (!word.empty() && word.front() == '+') word.remove_prefix(1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-  return value;
-}
+using core::parseNumber;
 
 /// The integer that fills the word.
-inline std::optional<long> parseInteger(std::string_view word) {
-  long value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-  return value;
-}
+inline std::optional<long> parseInteger(std::string_view word) { return core::parseInteger(word); }
 
 }  // namespace ariadne::io

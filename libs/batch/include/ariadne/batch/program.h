@@ -1,4 +1,5 @@
-// The programs an arm may name: how each is called and asked for its configuration.
+// The programs an arm may name, each by its description: how it is called, asked for its
+// configuration and where it takes its data from. Results are <out>/summary.json of every one.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -8,25 +9,33 @@
 
 namespace ariadne::batch {
 
-enum class ProgramKind {
-  maps,   ///< CONFIG [DATASET] --seed --out, summary.json: ariadne-slam, ariadne-explore
-  loops,  ///< ariadne-loop-experiment: run CONFIG rows.csv --first --last
-  stock,  ///< ariadne-stock-rbpf CONFIG RAWLOG --seed --trajectory; figures from what it prints
-  other,  ///< a program of the user's, with the options of `maps` that results depend on
+/// Where a program learns of the log that it maps.
+enum class TakesDataset { in_config, behind_config, never };
+
+/// What the runner knows of a kind of program. All take CONFIG first and --seed.
+struct ProgramDescription {
+  const char* name;  ///< in INIs, and of its file; empty: any other program
+  TakesDataset dataset = TakesDataset::behind_config;
+  bool prints_config = true;  ///< has --print-config and --set
+  std::vector<std::string>
+      options;                     ///< of a run, not of its result; @out, @threads stand for these
+  std::vector<std::string> spare;  ///< further ones where files are not kept
 };
 
+/// Those of ours, and at the end the one for any other.
+const std::vector<ProgramDescription>& programDescriptions();
+
 struct Program {
-  ProgramKind kind = ProgramKind::other;
   std::filesystem::path path;
+
+  /// By the file's name.
+  const ProgramDescription& description() const;
 };
 
 /// `name` is one of ours (found beside this executable, then in PATH) or a path, from `folder`.
 /// Throws core::UsageError at `where` with what there is.
 Program findProgram(const std::string& name, const std::filesystem::path& folder,
                     const std::string& where);
-
-/// An executable of the environment's PATH; empty when there is none of that name.
-std::filesystem::path findInPath(const std::string& name);
 
 /// One arm at one combination of the factors' values, as the program takes it; paths absolute.
 struct ArmCall {
@@ -49,9 +58,5 @@ std::vector<std::string> runCommand(const Program& program,
                                     const std::vector<std::string>& arguments,
                                     const std::filesystem::path& config,
                                     const std::filesystem::path& out, const Limits& limits);
-
-/// As in plan.json.
-std::string nameOf(ProgramKind kind);
-ProgramKind kindOf(const std::string& name);
 
 }  // namespace ariadne::batch

@@ -4,10 +4,13 @@
 #include <optional>
 
 #include "ariadne/batch/plan.h"
-#include "ariadne/batch/process.h"
 #include "ariadne/batch/store.h"
+#include "ariadne/process/process.h"
 
 namespace ariadne::batch {
+
+using process::Process;
+using process::ProcessEnd;
 
 class Worker {
  public:

@@ -1,0 +1,60 @@
+#include "neff_chart.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ariadne/report/curves.h"
+#include "ariadne/slam/mapper.h"
+
+namespace ariadne::eval_app {
+namespace {
+
+/// Way along the true path up to each of its poses, m.
+std::vector<double> wayAlong(const models::Trajectory& truth) {
+  std::vector<double> way{0};
+  for (std::size_t i = 1; i < truth.size(); ++i)
+    way.push_back(way.back() + std::hypot(truth[i].pose.x - truth[i - 1].pose.x,
+                                          truth[i].pose.y - truth[i - 1].pose.y));
+  return way;
+}
+
+report::Curve neffOf(const std::string& name, const slam::SlamParams& params,
+                     const sim::SimulatedDrive& drive, const std::vector<double>& way) {
+  report::Curve curve{name, {}, {}};
+  slam::Mapper mapper(params, 1);
+  for (std::size_t i = 0; i < drive.steps.size(); ++i)
+    if (const auto report = mapper.process(drive.steps[i])) {
+      curve.x.push_back(way[i]);
+      curve.y.push_back(report->neff);
+    }
+  return curve;
+}
+
+}  // namespace
+
+void writeNeffChart(const std::filesystem::path& file, const experiment::LoopConfig& config,
+                    const sim::TruthDrive& truth, std::uint64_t seed) {
+  const sim::SimulatedDrive drive = sim::observe(truth, config.sim.noise, seed);
+  const std::vector<double> way = wayAlong(drive.truth);
+  report::CurveChart chart{"Neff before resampling", "way, m", "Neff", {}, {}};
+  slam::SlamParams params = config.slam;
+  params.filter.seed = seed;
+  params.recovery.enabled = false;
+  for (const double exponent : {0.0, 2.0}) {
+    params.filter.revisit_exponent = exponent;
+    chart.curves.push_back(
+        neffOf(exponent == 0 ? "plain weights" : "1/r^2 at the r-th revisit", params, drive, way));
+  }
+  for (const sim::MarkTime& m : drive.marks) {
+    const auto at = std::lower_bound(
+        drive.truth.begin(), drive.truth.end(), m.time_s,
+        [&](const auto& p, double t) { return p.time_s - drive.truth[0].time_s < t; });
+    const auto i = std::min<std::size_t>(at - drive.truth.begin(), way.size() - 1);
+    chart.moments.push_back({m.name, way[i]});
+  }
+  report::writeCurves(file, chart);
+}
+
+}  // namespace ariadne::eval_app
