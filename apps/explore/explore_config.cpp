@@ -54,7 +54,7 @@ ResolvedConfig resolveConfig(const Options& options) {
   const fs::path file = options.config_file;
   const std::string text = io::readIniText(file);
   app::expectIniOf("ariadne-explore", file, text);
-  io::applyIni(config, io::parseIni(text, file.string(), io::IniDialect::strict));
+  io::applyIni(config, io::parseIniFile(text, file));
   std::string& world = config.world.file;
   if (!world.empty()) world = (file.parent_path() / world).string();
   for (const std::string& setting : options.settings)

@@ -25,7 +25,7 @@ ResolvedConfig fromStock(const std::string& text, const fs::path& file) {
 ResolvedConfig fromOwn(const std::string& text, const fs::path& file) {
   app::expectIniOf("ariadne-slam", file, text);
   ResolvedConfig out;
-  io::applyIni(out.config, io::parseIni(text, file.string(), io::IniDialect::strict));
+  io::applyIni(out.config, io::parseIniFile(text, file));
   std::string& dataset = out.config.dataset.file;
   if (!dataset.empty()) dataset = (file.parent_path() / dataset).string();
   return out;

@@ -19,6 +19,10 @@ error that says where it stands and what would be right. Comments are lines that
 or `//`, or follow a value after a blank. A text that holds one of these after a blank stands in
 double quotes.
 
+`include = OTHER.ini` before the first section puts the settings of another INI before the INI's own;
+what both set is the INI's own. Relative paths start at the folder of the INI that is named on the
+command line.
+
 [What the words mean](../explanation/concepts.md#glossary); "the paper" and
 [[19]](../explanation/bibliography.md#19-stachniss-2004).
 )";

@@ -211,7 +211,7 @@ Experiment parseExperiment(std::string_view text, const std::filesystem::path& f
   Experiment x;
   x.file = std::filesystem::absolute(file).lexically_normal();
   x.text = text;
-  const auto document = io::parseIni(text, file.string(), io::IniDialect::strict);
+  const auto document = io::parseIniFile(text, file);
   for (const io::IniSection& section : document.sections) addSection(x, section);
   for (const IniEntry& entry : document.entries) {
     if (startsWith(entry.section, "arm."))

@@ -9,7 +9,7 @@ namespace ariadne::experiment {
 LoopConfig readLoopConfig(const std::filesystem::path& file, const std::string& text,
                           const std::vector<std::string>& settings) {
   LoopConfig config;
-  io::applyIni(config, io::parseIni(text, file.string(), io::IniDialect::strict));
+  io::applyIni(config, io::parseIniFile(text, file));
   const std::filesystem::path folder = file.parent_path();
   for (std::string* named : {&config.files.world, &config.files.path})
     if (!named->empty()) *named = (folder / *named).string();

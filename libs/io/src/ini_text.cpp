@@ -91,6 +91,7 @@ class Parser {
       if (!strict()) return;
       fail(fmt::format("\"{}\" is neither [section] nor key = value", printable(text)));
     }
+    if (strict() && !inside_ && key == "include") return include(value(text.substr(equals + 1)));
     if (strict() && !inside_)
       fail(fmt::format("\"{}\" stands before any [section]", printable(key)));
     const auto [before, is_new] = places_.emplace(section_ + "]" + key, number_);
@@ -98,6 +99,14 @@ class Parser {
       fail(fmt::format("[{}] {} comes twice, first in line {}: keep one", section_, printable(key),
                        before->second));
     document_.entries.push_back({section_, key, value(text.substr(equals + 1)), where()});
+  }
+
+  void include(const std::string& file) {
+    if (file.empty()) fail("include takes the name of an INI");
+    if (!document_.include.empty())
+      fail(fmt::format("another include, besides {}: keep one", printable(document_.include)));
+    document_.include = file;
+    document_.include_where = where();
   }
 
   std::string value(std::string_view text) const {

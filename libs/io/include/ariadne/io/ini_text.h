@@ -31,7 +31,9 @@ struct IniSection {
 };
 
 struct IniDocument {
-  std::string name;  ///< what errors call the file
+  std::string name;     ///< what errors call the file
+  std::string include;  ///< another INI, whose settings come before these; mostly empty
+  std::string include_where;
   std::vector<IniSection> sections;
   std::vector<IniEntry> entries;
 
@@ -43,8 +45,8 @@ struct IniDocument {
 /// comment (`;`, `#`, `//`).
 enum class IniDialect {
   /// Ours: a comment after a value starts with a blank and `;`, `#` or `//`, a value may stand in
-  /// "double quotes"; a section or key that comes twice, a key before any section and a line that
-  /// is neither are errors.
+  /// "double quotes"; a section or key that comes twice, a key before any section (but for include)
+  /// and a line that is neither are errors.
   strict,
   /// As MRPT reads INIs: a comment after a value starts with a blank and `//`, names have no case,
   /// the last value of a key counts, other lines are skipped.
@@ -57,6 +59,12 @@ IniDocument parseIni(std::string_view text, const std::string& name, IniDialect 
 /// The text of a configuration file, made plain by core::plainText. Throws core::Error when it
 /// cannot be read and UsageError when it is larger than any (4 MB).
 std::string readIniText(const std::filesystem::path& path);
+
+/// The text of `file` in the strict dialect, behind the settings of the INI that it includes by
+/// `include = OTHER.ini` before its first section (from its own folder; that one may include
+/// another). What both set is the including one's. Names of files in an included INI start where
+/// the including one's do. Throws as parseIni() and readIniText().
+IniDocument parseIniFile(std::string_view text, const std::filesystem::path& file);
 
 /// `section.key=value` of the option --set. Throws core::UsageError.
 IniEntry parseSetting(const std::string& text);
