@@ -41,6 +41,7 @@ void convert(const DatasetArguments& args, std::ostream& out, std::ostream& err,
       progress.tell(what, looked_through + (1 - looked_through) * steps->fraction());
       return steps->next();
     });
+    progress.finish();
     out << fmt::format("{}: {} steps\n", args.out.string(), count);
   }
   app::warn(err, "ariadne-dataset", steps->warnings());

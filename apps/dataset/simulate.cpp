@@ -37,8 +37,9 @@ sim::DrivePath pathOf(const SimulateArguments& args) {
 sim::TruthDrive drive(const SimulateArguments& args, const sim::World& world,
                       const sim::DriveParams& params, std::ostream& err) {
   const sim::DrivePath path = pathOf(args);
-  Progress progress(err, "driving " + args.path.filename().string());
-  return sim::driveThrough(world, path, params, [&](double done) { progress.update(done); });
+  const std::string what = "driving " + args.path.filename().string();
+  app::Progress progress(err, app::progressStyle(false, err));
+  return sim::driveThrough(world, path, params, [&](double done) { progress.tell(what, done); });
 }
 
 double lengthOf(const models::Trajectory& poses) {

@@ -65,7 +65,7 @@ void printEstimate(const Plan& plan, const batch::Store& store, const std::vecto
   const double each = bytes / static_cast<double>(keys.size());
   const double left = static_cast<double>(plan.runs.size() - done);
   fmt::print(out, "About {} on {} jobs and {:.2f} MB, by the {} finished.\n",
-             timeText(left_s / jobs), jobs, each * left / 1e6, done);
+             app::timeText(left_s / jobs), jobs, each * left / 1e6, done);
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ void showResults(const Options& o, const Plan& plan, const Store& store, std::os
 void tellEnd(const Options& o, const batch::ScheduleEnd& end, std::ostream& err) {
   if (o.quiet || end.done == 0) return;
   fmt::print(err, "{} runs in {}, {:.1f} s of CPU; the runner itself took {:.2f} s ({:.2f} %)\n",
-             end.done, timeText(end.wall_s), end.runs_cpu_s, end.own_cpu_s,
+             end.done, app::timeText(end.wall_s), end.runs_cpu_s, end.own_cpu_s,
              end.runs_cpu_s > 0 ? 100 * end.own_cpu_s / end.runs_cpu_s : 0);
 }
 

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "ariadne/core/error.h"
+#include "ariadne/core/numbers.h"
 #include "command_line.h"
 #include "named_choice.h"
 #include "submit_options.h"

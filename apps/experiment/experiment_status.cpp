@@ -45,8 +45,9 @@ void printStatus(const batch::Plan& plan, const batch::Store& store, std::ostrea
     cpu_s += r.cpu_s;
   }
   if (!results.empty())
-    fmt::print(out, "Taken so far: {} of wall clock, {} of CPU; {:.1f} s a run\n", timeText(wall_s),
-               timeText(cpu_s), wall_s / static_cast<double>(results.size()));
+    fmt::print(out, "Taken so far: {} of wall clock, {} of CPU; {:.1f} s a run\n",
+               app::timeText(wall_s), app::timeText(cpu_s),
+               wall_s / static_cast<double>(results.size()));
   printOwners(store, out);
   std::set<std::string> told;
   for (const auto& run : plan.runs) {

@@ -8,11 +8,11 @@
 #include <tuple>
 #include <vector>
 
-#include "ariadne/batch/program.h"
 #include "ariadne/batch/store.h"
 #include "ariadne/cluster/slurm_script.h"
 #include "ariadne/core/error.h"
 #include "ariadne/process/call.h"
+#include "ariadne/process/find_program.h"
 
 namespace ariadne::experiment_app {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "../batch/stand_in.h"
 #include "../shipped_datasets.h"
-#include "ariadne/batch/program.h"
+#include "ariadne/process/find_program.h"
 #include "experiment_app.h"
 
 namespace fs = std::filesystem;

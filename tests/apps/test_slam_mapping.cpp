@@ -28,10 +28,10 @@ class Endless : public ariadne::io::StepSource {
 
 TEST(SlamAppInterrupt, StopsAfterTheStepAndKeepsWhatThereIs) {
   using namespace ariadne;
-  const slam_app::Interrupt interrupt;
+  const app::Interrupt interrupt;
   slam::Mapper mapper({}, 1);
   std::ostringstream nowhere;
-  slam_app::Progress progress(nowhere, slam_app::ProgressStyle::none);
+  app::Progress progress(nowhere, app::ProgressStyle::none);
   Endless source;
   const auto record =
       slam_app::mapSteps(source, mapper, {}, interrupt, progress, [](const slam::StepReport&) {});

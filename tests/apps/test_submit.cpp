@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "../batch/stand_in.h"
-#include "ariadne/batch/program.h"
+#include "ariadne/process/find_program.h"
 #include "experiment_app.h"
 
 namespace fs = std::filesystem;

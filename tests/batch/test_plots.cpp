@@ -3,8 +3,8 @@
 #include <cstdlib>
 
 #include "ariadne/batch/plots.h"
-#include "ariadne/batch/program.h"
 #include "ariadne/core/error.h"
+#include "ariadne/process/find_program.h"
 #include "made_experiment.h"
 
 using namespace ariadne;

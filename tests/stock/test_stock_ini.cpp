@@ -167,9 +167,9 @@ class StockRawlog : public TemporaryFolder {};
 TEST_F(StockRawlog, IsLookedForBesideTheIni) {
   fs::create_directories(folder / "ini");
   std::ofstream(folder / "log.rawlog") << "x";
-  EXPECT_EQ(io::findStockRawlog("../log.rawlog", folder / "ini" / "a.ini"),
+  EXPECT_EQ(stock::findStockRawlog("../log.rawlog", folder / "ini" / "a.ini"),
             (folder / "log.rawlog").string());
-  EXPECT_EQ(io::findStockRawlog("/none/such.rawlog", folder / "a.ini"), "/none/such.rawlog");
+  EXPECT_EQ(stock::findStockRawlog("/none/such.rawlog", folder / "a.ini"), "/none/such.rawlog");
 }
 
 TEST(StockIni, MutatedFilesGiveAResultOrAnError) {

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "ariadne/batch/program.h"
 #include "ariadne/core/error.h"
 #include "ariadne/io/scratch_folder.h"
 #include "ariadne/io/whole_file.h"
+#include "ariadne/process/find_program.h"
 #include "ariadne/process/process.h"
 #include "plot_script.h"
 
