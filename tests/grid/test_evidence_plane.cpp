@@ -5,7 +5,7 @@
 #include <map>
 #include <thread>
 
-#include "../../libs/grid/src/tile_mask.h"
+#include "../../libs/grid/src/tiles/tile_mask.h"
 #include "ariadne/core/error.h"
 #include "ariadne/core/random.h"
 #include "ariadne/grid/evidence_plane.h"

@@ -6,7 +6,7 @@
 
 #include "ariadne/grid/evidence_plane.h"
 #include "ariadne/grid/log_odds.h"
-#include "scan_raster.h"
+#include "insertion/scan_raster.h"
 
 namespace ariadne::grid {
 

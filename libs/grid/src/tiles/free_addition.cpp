@@ -1,9 +1,9 @@
-#include "free_addition.h"
+#include "tiles/free_addition.h"
 
 #include <algorithm>
 
-#include "bits.h"
-#include "lanes.h"
+#include "tiles/bits.h"
+#include "tiles/lanes.h"
 
 namespace ariadne::grid {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ariadne/grid/tile_pool.h"
-#include "bits.h"
+#include "tiles/bits.h"
 
 namespace ariadne::grid {
 namespace {

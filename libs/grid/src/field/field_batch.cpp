@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "two_doubles.h"
+#include "field/two_doubles.h"
 
 namespace ariadne::grid {
 namespace {

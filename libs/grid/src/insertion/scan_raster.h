@@ -12,7 +12,7 @@
 
 #include "ariadne/grid/likelihood_field.h"
 #include "ariadne/grid/scan_shape.h"
-#include "tile_mask.h"
+#include "tiles/tile_mask.h"
 
 namespace ariadne::grid {
 

@@ -1,5 +1,5 @@
 #include "ariadne/grid/occupancy_grid.h"
-#include "scan_batch.h"
+#include "insertion/scan_batch.h"
 
 namespace ariadne::grid {
 namespace {

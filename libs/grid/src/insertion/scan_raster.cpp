@@ -1,11 +1,11 @@
-#include "scan_raster.h"
+#include "insertion/scan_raster.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "ariadne/core/error.h"
 #include "ariadne/grid/rounding.h"
-#include "two_doubles.h"
+#include "field/two_doubles.h"
 
 namespace ariadne::grid {
 namespace {

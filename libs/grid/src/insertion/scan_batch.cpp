@@ -1,9 +1,9 @@
-#include "scan_batch.h"
+#include "insertion/scan_batch.h"
 
 #include <algorithm>
 #include <cstring>
 
-#include "row_lanes.h"
+#include "tiles/row_lanes.h"
 
 namespace ariadne::grid {
 namespace {

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "ariadne/grid/rounding.h"
-#include "tile_mask.h"
+#include "tiles/tile_mask.h"
 
 namespace ariadne::grid {
 namespace {

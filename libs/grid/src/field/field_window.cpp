@@ -1,10 +1,10 @@
-#include "field_window.h"
+#include "field/field_window.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
 
-#include "bits.h"
+#include "tiles/bits.h"
 
 namespace ariadne::grid {
 namespace {

@@ -2,7 +2,7 @@
 // since a write may copy the tile.
 #pragma once
 #include "ariadne/grid/evidence_tile.h"
-#include "tile_mask.h"
+#include "tiles/tile_mask.h"
 
 namespace ariadne::grid {
 

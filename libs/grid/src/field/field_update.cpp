@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "ariadne/grid/likelihood_field.h"
-#include "field_window.h"
+#include "field/field_window.h"
 
 namespace ariadne::grid {
 namespace {

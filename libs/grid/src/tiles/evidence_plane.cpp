@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "free_addition.h"
-#include "tile_packing.h"
+#include "tiles/free_addition.h"
+#include "tiles/tile_packing.h"
 
 namespace ariadne::grid {
 

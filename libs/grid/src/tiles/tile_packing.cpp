@@ -1,9 +1,9 @@
-#include "tile_packing.h"
+#include "tiles/tile_packing.h"
 
 #include <algorithm>
 
-#include "bits.h"
-#include "row_lanes.h"
+#include "tiles/bits.h"
+#include "tiles/row_lanes.h"
 
 namespace ariadne::grid {
 
