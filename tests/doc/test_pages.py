@@ -115,6 +115,18 @@ class Pages(unittest.TestCase):
                     problems.append(f"{self.name(file)}:{line}: [{match.group(1)}] is not in the bibliography")
         self.expect_none(problems)
 
+    def test_equations_are_where_the_table_says(self):
+        page = ROOT / "doc/explanation/loops.md"
+        problems, rows = [], 0
+        for row in page.read_text().splitlines():
+            for equation in re.findall(r"Eq\. \(\d+\)", row.split("|")[1] if row.startswith("|") else ""):
+                rows += 1
+                linked = re.findall(r"\]\(([^()\s]+)\)", row)
+                if not any(equation in (page.parent / file).read_text() for file in linked):
+                    problems.append(f"{self.name(page)}: {equation}: not in {', '.join(linked) or 'any file'}")
+        self.assertGreaterEqual(rows, 8)
+        self.expect_none(problems)
+
     def test_lines_are_short(self):
         problems = []
         for page in pages():

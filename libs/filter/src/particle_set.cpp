@@ -56,6 +56,7 @@ ParticleSet::ParticleSet(const FilterModels& models, const core::Parallel& paral
 }
 
 std::size_t ParticleSet::best() const {
+  // Eq. (8)
   const auto it = std::max_element(
       m_particles.begin(), m_particles.end(),
       [](const auto& a, const auto& b) { return a.d.accumulated() < b.d.accumulated(); });

@@ -39,6 +39,7 @@ SavedSet save(const filter::ParticleSet& particles, const std::vector<topology::
     const filter::Particle& p = particles[i];
     std::shared_ptr<const filter::Checkpoint> checkpoint = p.checkpoints;
     while (checkpoint && checkpoint->step > te) checkpoint = checkpoint->earlier;
+    // Eq. (11) and Eq. (12)
     set.entries.push_back({filter::ancestorAt(p.ancestor, te), p.ancestor, checkpoint, weights[i],
                            graphs[i].asOf(te)});
   }

@@ -27,6 +27,7 @@ AncestorPtr Ways::attach(const AncestorPtr& at_te, const AncestorPtr& source) {
   for (auto it = missing.rbegin(); it != missing.rend(); ++it) {
     const Ancestor& from = **it;
     const auto te_from_robot = models::relativePose(source_at_te->pose(), from.pose());
+    // Eq. (13)
     leaf = std::make_shared<Ancestor>(
         leaf, from.step(), models::compose(at_te->pose(), te_from_robot), from.logWeight(),
         from.motion());

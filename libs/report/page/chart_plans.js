@@ -20,7 +20,7 @@ function chartPlans(steps, particles) {
     },
     {
       title: "Entropy, Eq. (6)",
-      text: "Of the pose: Gaussian fit of the particles, left scale. Of the map: known cells of s*, which stands for the mean over the particles; right scale.",
+      text: "Of the pose, at each update: Gaussian fit of the particles, left scale. Of the map, at keyframes: known cells of s*, which stands for the mean over the particles; right scale.",
       curves: [
         { label: "pose, nats", colour: "path", values: steps.poseEntropy },
         { label: "map, nats", colour: "graph", values: steps.mapEntropy, axis: "y2" },

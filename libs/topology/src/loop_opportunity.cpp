@@ -29,6 +29,7 @@ std::optional<LoopOpportunity> findOpportunity(const PlaceGraph& graph,
     const Place& place = graph.places()[i];
     // The straight line is a lower bound of dist_m.
     const double line = std::hypot(place.position.x - position.x, place.position.y - position.y);
+    // Eq. (7), but for dist_m, which is dear.
     if (dist_g[i] > params.c2_m && line < params.c1_m && counts(place)) candidates.push_back(i);
   }
   if (candidates.empty()) return std::nullopt;
@@ -40,6 +41,7 @@ std::optional<LoopOpportunity> findOpportunity(const PlaceGraph& graph,
   for (const std::uint32_t i : candidates) {
     const auto length = dist_m.toPlace(graph.places()[i].position);
     if (!length || *length >= params.c1_m) continue;
+    // Eq. (9)
     if (found.places++ == 0 || *length < found.dist_m_m) {
       found.entry = i;
       found.dist_m_m = *length;
