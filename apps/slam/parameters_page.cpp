@@ -19,7 +19,7 @@ error that says where it stands and what would be right. Comments are lines that
 or `//`, or follow a value after a blank. A text that holds one of these after a blank stands in
 double quotes.
 
-`include = OTHER.ini` before the first section puts the settings of another INI before the INI's own;
+`include = OTHER.ini` before the first section, once or more, puts the settings of other INIs before the INI's own;
 what both set is the INI's own. Relative paths start at the folder of the INI that is named on the
 command line.
 

@@ -27,23 +27,27 @@ IniDocument over(IniDocument base, IniDocument own) {
   return base;
 }
 
+std::string textOf(const fs::path& file, const IniInclude& by) {
+  try {
+    return readIniText(file);
+  } catch (const core::Error& e) {
+    throw core::UsageError(fmt::format("{}: include = {}: {}", by.where, by.file, e.what()));
+  }
+}
+
 IniDocument parsed(std::string_view text, const fs::path& file, int depth) {
   IniDocument own = parseIni(text, file.string(), IniDialect::strict);
-  if (own.include.empty()) return own;
-  if (depth == kDeepest)
-    throw core::UsageError(
-        fmt::format("{}: include = {}: more than {} INIs in a chain: does it go "
-                    "in a circle?",
-                    own.include_where, own.include, kDeepest));
-  const fs::path other = (file.parent_path() / own.include).lexically_normal();
-  std::string other_text;
-  try {
-    other_text = readIniText(other);
-  } catch (const core::Error& e) {
-    throw core::UsageError(
-        fmt::format("{}: include = {}: {}", own.include_where, own.include, e.what()));
+  IniDocument base;
+  for (const IniInclude& include : own.includes) {
+    if (depth == kDeepest)
+      throw core::UsageError(
+          fmt::format("{}: include = {}: more than {} INIs in a chain: does it go "
+                      "in a circle?",
+                      include.where, include.file, kDeepest));
+    const fs::path other = (file.parent_path() / include.file).lexically_normal();
+    base = over(std::move(base), parsed(textOf(other, include), other, depth + 1));
   }
-  return over(parsed(other_text, other, depth + 1), std::move(own));
+  return over(std::move(base), std::move(own));
 }
 
 }  // namespace

@@ -103,10 +103,7 @@ class Parser {
 
   void include(const std::string& file) {
     if (file.empty()) fail("include takes the name of an INI");
-    if (!document_.include.empty())
-      fail(fmt::format("another include, besides {}: keep one", printable(document_.include)));
-    document_.include = file;
-    document_.include_where = where();
+    document_.includes.push_back({file, where()});
   }
 
   std::string value(std::string_view text) const {

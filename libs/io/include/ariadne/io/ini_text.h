@@ -30,10 +30,14 @@ struct IniSection {
   std::string where;
 };
 
+struct IniInclude {
+  std::string file;
+  std::string where;
+};
+
 struct IniDocument {
   std::string name;     ///< what errors call the file
-  std::string include;  ///< another INI, whose settings come before these; mostly empty
-  std::string include_where;
+  std::vector<IniInclude> includes;  ///< other INIs, whose settings come before these
   std::vector<IniSection> sections;
   std::vector<IniEntry> entries;
 
@@ -60,9 +64,9 @@ IniDocument parseIni(std::string_view text, const std::string& name, IniDialect 
 /// cannot be read and UsageError when it is larger than any (4 MB).
 std::string readIniText(const std::filesystem::path& path);
 
-/// The text of `file` in the strict dialect, behind the settings of the INI that it includes by
-/// `include = OTHER.ini` before its first section (from its own folder; that one may include
-/// another). What both set is the including one's. Names of files in an included INI start where
+/// The text of `file` in the strict dialect, behind the settings of the INIs that it includes by
+/// lines `include = OTHER.ini` before its first section (from its own folder; they may include
+/// others). What two of them set is the later one's, and the including one comes last. Names of files in an included INI start where
 /// the including one's do. Throws as parseIni() and readIniText().
 IniDocument parseIniFile(std::string_view text, const std::filesystem::path& file);
 
