@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "ariadne/closure/contacts.h"
+#include "ariadne/closure/contact_book.h"
 #include "corridor.h"
 
 using namespace ariadne;
@@ -102,4 +102,25 @@ TEST(Contacts, ShortenTheWayBack) {
   const auto with = closure::distancesFromNow(seen.track, {{19, now, Eigen::Matrix3d::Identity()}});
   EXPECT_LT(with[19], 0.5);
   EXPECT_NEAR(with[39], seen.track.travelled_m[39] - seen.track.travelled_m[19] + with[19], 1e-9);
+}
+
+TEST(Contacts, AVisitBeginsWhereThePathCameAmongOldPlaces) {
+  Track track;  // 60 m out, 20 m aside, 60 m back, 20 m home and 20 m on
+  const auto add = [&](double x, double y) {
+    const double way = track.poses.empty()
+                           ? 0
+                           : track.travelled_m.back() +
+                                 std::hypot(x - track.poses.back().x, y - track.poses.back().y);
+    track.poses.emplace_back(x, y, 0);
+    track.travelled_m.push_back(way);
+  };
+  for (int x = 0; x <= 60; x += 2) add(x, 0);
+  for (int y = 2; y <= 20; y += 2) add(60, y);
+  for (int x = 58; x >= 0; x -= 2) add(x, 20);
+  EXPECT_EQ(closure::visitBegin(track, 25), track.poses.size());  // among no old place yet
+  for (int y = 18; y >= 0; y -= 2) add(0, y);
+  for (int x = 2; x <= 20; x += 2) add(x, 0);
+  const std::size_t begin = closure::visitBegin(track, 25);
+  EXPECT_LT(track.poses[begin].y, 8);
+  EXPECT_GE(track.poses[begin - 1].y, 8);
 }

@@ -17,18 +17,24 @@ std::vector<Contact> ContactBook::before(std::size_t update) const {
   return some;
 }
 
-std::size_t ContactBook::visitBegin(const Track& track, double least_way_m) const {
+std::size_t visitBegin(const Track& track, double least_way_m) {
+  constexpr double kNear_m = 8;
   constexpr double kGap_m = 10;
-  constexpr double kLongest_m = 50;
+  constexpr double kLongest_m = 200;
+  const auto amongOld = [&](std::size_t at) {
+    for (std::size_t k = 0; track.travelled_m[at] - track.travelled_m[k] >= least_way_m; ++k)
+      if (distance(track.poses[k], track.poses[at]) < kNear_m) return true;
+    return false;
+  };
   const double now_m = track.travelled_m.back();
-  double at_m = now_m;
   std::size_t begin = track.now() + 1;
-  for (auto c = contacts_.rbegin(); c != contacts_.rend(); ++c) {
-    const double second_m = track.travelled_m[c->second];
-    if (second_m - track.travelled_m[c->first] < least_way_m) continue;
-    if (at_m - second_m > kGap_m || now_m - second_m > kLongest_m) break;
-    at_m = second_m;
-    begin = c->second;
+  double begin_m = now_m;
+  for (std::size_t at = track.now(); at > 0; --at) {
+    if (begin_m - track.travelled_m[at] > kGap_m || now_m - track.travelled_m[at] > kLongest_m)
+      break;
+    if (!amongOld(at)) continue;
+    begin = at;
+    begin_m = track.travelled_m[at];
   }
   return begin;
 }

@@ -167,7 +167,7 @@ Closure Finder::closureAt(const Track& track, const Old& old, const grid::Occupa
       kPieceGain * likelihood_.information(map, piece, pose) + 1e-3 * Eigen::Matrix3d::Identity();
   const Eigen::Matrix3d turn = models::turnedBy(-anchor.phi);
   closure.information = (turn * known.inverse() * turn.transpose() + tieFloor()).inverse();
-  std::vector<Tie> ties = tiesOf(track, book_.before(book_.visitBegin(track, params_.least_way_m)));
+  std::vector<Tie> ties = tiesOf(track, book_.before(visitBegin(track, params_.least_way_m)));
   const SegmentSample without = drawSegment(track, 0, ties, nullptr);
   ties.push_back(
       {closure.anchor, track.now(), closure.anchor_from_robot, closure.information, false});
@@ -229,7 +229,7 @@ std::optional<Closure> Finder::search(const Track& track, const Scans& scans) {
 
 /// The last metres will lie over what they are tied to: whether their scans agree is seen anew.
 void Finder::keep(const Track& track, const Closure& closure) {
-  std::size_t anew = std::min(track.now() + 1, book_.visitBegin(track, params_.least_way_m));
+  std::size_t anew = std::min(track.now() + 1, visitBegin(track, params_.least_way_m));
   while (anew > 0 && track.travelled_m.back() - track.travelled_m[anew - 1] < params_.piece_m)
     --anew;
   book_.close({closure.anchor, track.now(), closure.information, closure.anchor_from_robot}, anew);

@@ -8,6 +8,12 @@
 
 namespace ariadne::closure {
 
+/// Update at which the path, as it is thought to go, came among places over `least_way_m` back this
+/// time (up to 200 m ago). From there on its contacts say that the robot is where it is thought to
+/// be: what a closure found elsewhere disputes. One past the last update when the robot is not
+/// among such places.
+std::size_t visitBegin(const Track& track, double least_way_m);
+
 class ContactBook {
  public:
   /// Looks at the updates that were not looked at yet.
@@ -15,10 +21,6 @@ class ContactBook {
   std::vector<Contact> all() const { return before(until_); }
   /// Found closures, and the contacts of updates before this one.
   std::vector<Contact> before(std::size_t update) const;
-  /// Update at which the path came among places over `least_way_m` back this time. From there on
-  /// its contacts say that the robot is where it is thought to be: what a closure found elsewhere
-  /// disputes. One past the last update when the robot is not among such places.
-  std::size_t visitBegin(const Track& track, double least_way_m) const;
   /// A closure ties the last update. Contacts from `update` on are to be looked at anew, since the
   /// path will lie elsewhere.
   void close(const Contact& found, std::size_t update);
