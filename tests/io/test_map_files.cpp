@@ -9,6 +9,7 @@
 
 #include <csignal>
 #include <functional>
+#include <iterator>
 #include <random>
 
 #include "ariadne/core/error.h"
@@ -150,9 +151,9 @@ TEST_F(MapFiles, SimplemapIsTheSameMap) {
   mrpt::maps::CSimpleMap back;
   ASSERT_TRUE(back.loadFromFile((folder / "map.simplemap").string()));
   ASSERT_EQ(back.size(), 3U);
-  EXPECT_EQ(back.getAsPair(2).pose->getMeanVal().x(), 2);
+  EXPECT_EQ(std::next(back.begin(), 2)->pose->getMeanVal().x(), 2);
   const auto scan_of = [](const mrpt::maps::CSimpleMap& m) {
-    return m.getAsPair(1).sf->getObservationByClass<mrpt::obs::CObservation2DRangeScan>();
+    return std::next(m.begin())->sf->getObservationByClass<mrpt::obs::CObservation2DRangeScan>();
   };
   for (std::size_t k = 0; k < 5; ++k)
     EXPECT_EQ(scan_of(back)->getScanRange(k), scan_of(map)->getScanRange(k));

@@ -96,7 +96,7 @@ mrpt::poses::CPose3DPDF::Ptr RbpfMapBuilder::getCurrentPoseEstimation() const {
 
 void RbpfMapBuilder::getCurrentlyBuiltMap(mrpt::maps::CSimpleMap& out_map) const {
   out_map = initial_map_;
-  for (const auto& [pose, frame] : mapper_->simpleMap()) out_map.insert(pose, frame);
+  for (const auto& entry : mapper_->simpleMap()) out_map.insert(entry.pose, entry.sf);
 }
 
 unsigned int RbpfMapBuilder::getCurrentlyBuiltMapSize() {

@@ -3,35 +3,17 @@
 #include <mrpt/obs/CSensoryFrame.h>
 #include <mrpt/poses/CPose3DPDFGaussian.h>
 
-#include <tuple>
-
 namespace ariadne::slam {
 
 using mrpt::math::TPose2D;
 
-namespace {
-
-/// Pose and frame of an entry: a pair up to MRPT 2.5, a struct later.
-template <class Entry>
-auto partsOf(const Entry& e, int) -> decltype(std::tie(e.first, e.second)) {
-  return std::tie(e.first, e.second);
-}
-template <class Entry>
-auto partsOf(const Entry& e, long) -> decltype(std::tie(e.pose, e.sf)) {
-  return std::tie(e.pose, e.sf);
-}
-
-}  // namespace
-
 grid::OccupancyGrid gridOf(const mrpt::maps::CSimpleMap& known, const grid::GridParams& params) {
   grid::OccupancyGrid map(params);
-  for (const auto& entry : known) {
-    const auto [pose, frame] = partsOf(entry, 0);
-    for (const auto& observation : *frame)
+  for (const auto& entry : known)
+    for (const auto& observation : *entry.sf)
       if (const auto* scan =
               dynamic_cast<const mrpt::obs::CObservation2DRangeScan*>(observation.get()))
-        map.insert(grid::makeScanShape(*scan, params), TPose2D(pose->getMeanVal().asTPose()));
-  }
+        map.insert(grid::makeScanShape(*scan, params), TPose2D(entry.pose->getMeanVal().asTPose()));
   return map;
 }
 
