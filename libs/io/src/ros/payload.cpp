@@ -4,6 +4,16 @@ namespace ariadne::io::ros {
 
 using eprosima::fastcdr::Cdr;
 
+namespace {
+#if __has_include(<fastcdr/CdrEncoding.hpp>)  // Fast CDR 2, of Debian 13
+constexpr auto kFormOfCdr = eprosima::fastcdr::CdrVersion::DDS_CDR;
+std::size_t bytesRead(const Cdr& cdr) { return cdr.get_serialized_data_length(); }
+#else
+constexpr auto kFormOfCdr = Cdr::DDS_CDR;
+std::size_t bytesRead(const Cdr& cdr) { return cdr.getSerializedDataLength(); }
+#endif
+}  // namespace
+
 std::string_view Ros1Payload::take(std::uint64_t count) {
   if (count > bytes_.size()) throw BagDamage("the message ends early");
   const std::string_view taken = bytes_.substr(0, count);
@@ -15,7 +25,7 @@ CdrPayload::CdrPayload(std::string_view bytes)
     : bytes_(bytes),
       // Only read from: the interface wants no const.
       buffer_(const_cast<char*>(bytes.data()), bytes.size()),
-      cdr_(buffer_, Cdr::DEFAULT_ENDIAN, Cdr::DDS_CDR) {
+      cdr_(buffer_, Cdr::DEFAULT_ENDIAN, kFormOfCdr) {
   guarded([&] { cdr_.read_encapsulation(); });
 }
 
@@ -34,6 +44,6 @@ void CdrPayload::skipDoubles(std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) number<double>();
 }
 
-std::size_t CdrPayload::left() const { return bytes_.size() - cdr_.getSerializedDataLength(); }
+std::size_t CdrPayload::left() const { return bytes_.size() - bytesRead(cdr_); }
 
 }  // namespace ariadne::io::ros
