@@ -1,7 +1,9 @@
 #include "config.h"
 
 #include <filesystem>
+#include <optional>
 
+#include "ariadne/core/error.h"
 #include "ariadne/io/ini_fields.h"
 #include "ariadne/io/ini_text.h"
 #include "ariadne/stock/stock_ini.h"
@@ -28,6 +30,8 @@ ResolvedConfig fromOwn(const std::string& text, const fs::path& file) {
   io::applyIni(out.config, io::parseIniFile(text, file));
   std::string& dataset = out.config.dataset.file;
   if (!dataset.empty()) dataset = (file.parent_path() / dataset).string();
+  std::string& known = out.config.continue_from.run;
+  if (!known.empty()) known = (file.parent_path() / known).string();
   return out;
 }
 
@@ -51,20 +55,52 @@ io::DatasetOptions optionsOf(const DatasetParams& params) {
   return options;
 }
 
+namespace {
+
+/// Without an INI a run is gone on with by its own settings, into another folder.
+ResolvedConfig fromRun(const fs::path& run) {
+  for (const char* name : {"mapping.ini", "config.ini"}) {  // the first: ariadne-explore's
+    if (std::error_code ignored; !fs::exists(run / name, ignored)) continue;
+    ResolvedConfig resolved = fromFile(run / name);
+    resolved.config.run.out.clear();
+    resolved.config.continue_from = {};
+    return resolved;
+  }
+  return {};
+}
+
+void makeAbsolute(std::string& file) {
+  if (file.empty()) return;
+  fs::path whole = fs::absolute(file).lexically_normal();
+  if (!whole.has_filename()) whole = whole.parent_path();  // a folder, written with a slash
+  file = whole.string();
+}
+
+}  // namespace
+
 ResolvedConfig resolveConfig(const Options& options) {
   ResolvedConfig resolved;
-  if (!options.config_file.empty()) resolved = fromFile(options.config_file);
+  if (!options.config_file.empty())
+    resolved = fromFile(options.config_file);
+  else if (options.continue_from)
+    resolved = fromRun(*options.continue_from);
   for (const std::string& setting : options.settings)
     io::setField(resolved.config, io::parseSetting(setting));
   for (const io::IniEntry& entry : app::flagEntries(options)) io::setField(resolved.config, entry);
+  const auto set = [&](const char* section, const char* key,
+                       const std::optional<std::string>& value, const char* flag) {
+    if (value) io::setField(resolved.config, {section, key, *value, flag});
+  };
+  set("continue", "run", options.continue_from, "--continue");
+  set("continue", "start", options.start, "--start");
   if (!options.dataset.empty())
     io::setField(resolved.config, {"dataset", "file", options.dataset, "DATASET"});
-  std::string& dataset = resolved.config.dataset.file;
-  if (!dataset.empty()) {
-    fs::path whole = fs::absolute(dataset).lexically_normal();
-    if (!whole.has_filename()) whole = whole.parent_path();  // a folder, written with a slash
-    dataset = whole.string();
-  }
+  makeAbsolute(resolved.config.dataset.file);
+  makeAbsolute(resolved.config.continue_from.run);
+  if (resolved.config.continue_from.run.empty() && !resolved.config.continue_from.start.empty())
+    throw core::UsageError(
+        "[continue] start is where the robot is in a map that is gone on with: name that by "
+        "--continue RUN");
   return resolved;
 }
 

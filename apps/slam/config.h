@@ -5,6 +5,7 @@
 
 #include "ariadne/io/dataset.h"
 #include "ariadne/slam/params.h"
+#include "continuation.h"
 #include "options.h"
 #include "run_folder.h"
 
@@ -66,6 +67,7 @@ io::DatasetOptions optionsOf(const DatasetParams& params);
 struct SlamConfig {
   DatasetParams dataset;
   app::RunParams run;
+  ContinueParams continue_from;
   slam::SlamParams slam;
 };
 
@@ -73,11 +75,13 @@ template <class Config, class F>
 void forEachSection(Config& config, F&& f) {
   f("dataset", config.dataset);
   f("run", config.run);
+  f("continue", config.continue_from);
   slam::forEachSection(config.slam, f);
 }
 
 struct ResolvedConfig {
-  SlamConfig config;  ///< checked; dataset.file is absolute, run.out may be empty
+  SlamConfig
+      config;  ///< checked; dataset.file and continue_from.run are absolute, run.out may be empty
   std::vector<std::string> warnings;
 };
 

@@ -30,6 +30,7 @@ constexpr const char* kFooter =
     "  ariadne-slam ini/slam/carmen.ini fr079.log --set grid.resolution_m=0.1 --threads 1\n"
     "  ariadne-slam ini/slam/ros.ini drive.bag --set dataset.scan_topic=/front/scan\n"
     "  ariadne-slam ini/slam/sena.ini --print-config > mine.ini\n"
+    "  ariadne-slam --continue ground_floor next.bag --start 3.5,-2,90\n"
     "  ariadne-slam ini/slam/carmen.ini drive.rawlog --truth drive.rawlog.truth.tum\n"
     "Exit code: 0 fine, 1 the run failed, 2 wrong use, 130 stopped by Ctrl-C, 143 by SIGTERM.";
 
@@ -37,6 +38,13 @@ void declare(CLI::App& program, Options& o) {
   program.footer(kFooter);
   program.add_option("CONFIG", o.config_file, "INI file; may be left out before DATASET");
   program.add_option("DATASET", o.dataset, "log to map; default: the one the INI names");
+  program.add_option("--continue", o.continue_from,
+                     "go on in the map of a finished run: its folder, or a .simplemap. Without "
+                     "CONFIG by that run's settings");
+  program.add_option(
+      "--start", o.start,
+      "x,y,deg: where the robot is in that map at the first scan, to 1 m and 15 degrees; "
+      "default: it is searched for");
   program.add_option(
       "--truth", o.truth,
       "true path as a TUM file, for report.html and ate_rmse_m in summary.json only");
@@ -59,9 +67,11 @@ std::optional<Options> parseOptions(const std::vector<std::string>& args, std::o
   Options options;
   declare(app, options);
   if (!ariadne::app::parseCommandLine(app, args, out)) return std::nullopt;
-  if (options.config_file.empty() && !options.print_parameters)
+  if (options.config_file.empty() && !options.print_parameters && !options.continue_from)
     throw core::UsageError("which log, or which CONFIG? (see ariadne-slam --help)");
   sortFiles(options);
+  if (options.continue_from && options.config_file.empty() && options.dataset.empty())
+    throw core::UsageError("which log goes on from there? (see ariadne-slam --help)");
   return options;
 }
 

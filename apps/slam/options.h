@@ -11,8 +11,10 @@ namespace ariadne::slam_app {
 
 /// An empty config_file: the defaults.
 struct Options : app::RunOptions {
-  std::string dataset;  ///< empty: the INI's
-  std::string truth;    ///< TUM file; empty: none is known
+  std::string dataset;                       ///< empty: the INI's
+  std::optional<std::string> continue_from;  ///< a run or simplemap
+  std::optional<std::string> start;          ///< x,y,deg
+  std::string truth;                         ///< TUM file; empty: none is known
 };
 
 /// Nothing when the program is done already (--help, --version: printed to `out`). Throws

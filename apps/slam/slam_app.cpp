@@ -12,6 +12,7 @@
 #include "ariadne/io/output_folder.h"
 #include "ariadne/io/tum.h"
 #include "config.h"
+#include "continuation.h"
 #include "judgement.h"
 #include "loop_counts.h"
 #include "loops_json.h"
@@ -91,6 +92,17 @@ std::unique_ptr<io::StepSource> openLog(const DatasetParams& params,
   return source;
 }
 
+/// Of [continue]; nothing known where that is empty.
+Continuation whereFrom(const SlamConfig& config, const app::Interrupt& interrupt, bool quiet,
+                       std::ostream& err) {
+  if (config.continue_from.run.empty()) return {};
+  if (!quiet)
+    fmt::print(err, "{}: looking for the log's start in {}\n", kName, config.continue_from.run);
+  Continuation from = continuationOf(config, *openLog(config.dataset, interrupt, quiet, err));
+  if (!quiet) fmt::print(err, "{}: {}\n", kName, from.note);
+  return from;
+}
+
 /// Maps and writes. Returns the exit code.
 int mapDataset(const Options& options, ResolvedConfig resolved, std::ostream& out,
                std::ostream& err) {
@@ -108,9 +120,11 @@ int mapDataset(const Options& options, ResolvedConfig resolved, std::ostream& ou
 
   const app::Interrupt interrupt;
   const auto opening = std::chrono::steady_clock::now();
+  Continuation from = whereFrom(config, interrupt, options.quiet, err);
   const auto source = openLog(config.dataset, interrupt, options.quiet, err);
   const std::chrono::duration<double> opened = std::chrono::steady_clock::now() - opening;
-  slam::Mapper mapper(config.slam, config.run.threads);
+  slam::Mapper mapper(config.slam, config.run.threads, from.known, from.start);
+  from.known.clear();
   const std::vector<Output> outputs = outputsOf(config);
   io::prepareOutputFolder(config.run.out, namesOf(outputs), options.overwrite);
   app::Progress progress(err, app::progressStyle(options.quiet, err));
@@ -129,6 +143,7 @@ int mapDataset(const Options& options, ResolvedConfig resolved, std::ostream& ou
   judge(result);
   for (const std::string& w : loopWarnings(result.closings)) result.warnings.push_back(w);
   compare(result, std::move(truth), options.truth);
+  result.from = std::move(from);
   app::warn(
       err, kName,
       {result.warnings.begin() + static_cast<std::ptrdiff_t>(told_already), result.warnings.end()});

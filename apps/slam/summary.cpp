@@ -90,6 +90,16 @@ Json datasetFigures(const RunResult& r) {
                             c.beams_too_near + c.beams_flagged}};
 }
 
+/// The map that was gone on with; null for a new one.
+Json continuedFrom(const Continuation& from) {
+  if (from.map_file.empty()) return {};
+  return {{"map", from.map_file},
+          {"scans", from.scans},
+          {"start_m_rad", {from.start.x, from.start.y, from.start.phi}},
+          {"searched", from.searched},
+          {"field", from.field}};
+}
+
 /// Wall clock by stage, CPU and memory of the process.
 Json costs(const RunResult& r, double writing_s) {
   rusage usage{};
@@ -129,6 +139,7 @@ Json summaryOf(const RunResult& result, double writing_s, const std::vector<std:
           {"seed", result.config.slam.filter.seed},
           {"threads", core::Parallel(result.config.run.threads).threads()},
           {"dataset", datasetFigures(result)},
+          {"continued", continuedFrom(result.from)},
           {"filter", filterFigures(result.record.reports)},
           {"loops", loopFigures(result.closings, result.found.size())},
           {"learned_motion", learnedMotion(result.learned, result.config.slam.motion)},

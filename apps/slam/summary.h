@@ -28,6 +28,7 @@ struct RunResult {
   models::Trajectory path;            ///< of s*, one pose a scan
   io::DatasetCounts counts;
   std::string laser_label;
+  Continuation from;  ///< its scans are the mapper's now
   std::vector<std::string> warnings;
   std::optional<TruthFit> truth;  ///< where a true path was given
   report::Replay replay;          ///< empty where no report is wanted

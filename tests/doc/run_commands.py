@@ -3,7 +3,7 @@
 
 A block of commands is fenced as sh, and a comment in the line before the fence says whether it is run: `run`, `run: slow`
 (only with --slow) or `not run: WHY`. The blocks of a page are run one after the other by bash, in a new folder that looks like
-the clone and holds the logs that the pages name: my.log, drive.bag and a folder of ROS 2.
+the clone and holds the logs that the pages name: my.log, next.log (its second half), drive.bag and a folder of ROS 2.
 """
 import os
 import pathlib
@@ -43,6 +43,8 @@ def furnish(folder, bin_dir):
     (folder / "build/release").symlink_to(bin_dir.parent)
     subprocess.run([bin_dir / "ariadne-dataset", "export", ROOT / "datasets/drives/small.rawlog", folder / "my.log"],
                    check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    lines = (folder / "my.log").read_text().splitlines(keepends=True)
+    (folder / "next.log").write_text("".join(lines[len(lines) // 2:]))
     shutil.copy(ROOT / "datasets/ros/odom.bag", folder / "drive.bag")
     shutil.copytree(ROOT / "datasets/ros/split", folder / "rosbag2_2024_05_01-10_00_00")
 

@@ -6,6 +6,7 @@
 
 #include "ariadne/io/dataset.h"
 #include "ariadne/io/relations.h"
+#include "ariadne/io/simplemap_file.h"
 #include "ariadne/io/tum.h"
 #include "ariadne/io/whole_file.h"
 #include "ariadne/sim/drive_path.h"
@@ -78,6 +79,7 @@ void readRosMap(const Path& file) {
     std::ofstream(picture) << std::string("P5\n3 2\n255\n\0\xcd\xfe\xfe\xcd\0", 17);
   sim::readWorld(file);
 }
+void readSimplemap(const Path& file) { io::readSimplemap(file); }
 void readPicture(const Path& file) { sim::readWorldPicture(file, 0.05); }
 void readDrive(const Path& file) {
   sim::readPath(file);

@@ -13,6 +13,7 @@ void readTum(const Path& file);
 void readRelations(const Path& file);
 void readWorld(const Path& file);
 void readRosMap(const Path& file);
+void readSimplemap(const Path& file);
 void readPicture(const Path& file);
 void readDrive(const Path& file);
 

@@ -21,6 +21,7 @@ const std::vector<Reader>& readers() {
                                           {"world", "in.world", readWorld},
                                           {"yaml", "in.yaml", readRosMap},
                                           {"gridmap", "in.gridmap.gz", readWorld},
+                                          {"simplemap", "map.simplemap", readSimplemap},
                                           {"png", "in.png", readPicture},
                                           {"pgm", "in.pgm", readPicture},
                                           {"path", "in.path", readDrive},

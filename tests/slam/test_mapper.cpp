@@ -157,6 +157,7 @@ TEST(Mapper, GoesOnInAKnownMap) {
   for (std::size_t i = 0; i < 100; ++i) first.process(drive.steps[i]);
   Mapper second(few(), 1, first.simpleMap(), first.path().back().pose);
   for (std::size_t i = 99; i < 120; ++i) second.process(drive.steps[i]);
+  EXPECT_EQ(second.simpleMap().size(), first.updates() + second.updates());
   const auto moved = models::relativePose(drive.truth[0], drive.truth[119]);
   const auto pose = models::relativePose(first.path()[0].pose, second.path().back().pose);
   EXPECT_LT(std::hypot(pose.x - moved.x, pose.y - moved.y), 0.1);

@@ -144,4 +144,38 @@ TPose2D readDensity(ArchiveReader& in) {
   return mean;
 }
 
+TPose2D readDensity3D(ArchiveReader& in) {
+  const ObjectHeader object = in.header();
+  TPose2D mean;
+  if (object.name == "CPose3DPDFGaussian" || object.name == "CPose3DPDFGaussianInf") {
+    requireVersion(object);
+    if (object.name == "CPose3DPDFGaussian" && object.version == 0)
+      throw ArchiveDamage("CPose3DPDFGaussian of version 0, which MRPT does not read either");
+    mean = TPose2D(readPose3D(in).asTPose());
+    in.bytes(21 * sizeof(double));  // of a symmetric 6 x 6
+  } else if (object.name == "CPose3DPDFParticles") {
+    requireVersion(object);
+    MeanPose sum;
+    auto left = in.number<std::uint32_t>();
+    if (left == 0) throw ArchiveDamage("a pose without particles");
+    for (; left > 0; --left) {
+      const double log_weight = in.number<double>();
+      std::array<double, 6> v{};  // x, y, z, yaw, pitch, roll
+      if (object.version == 0) {
+        const TPose2D pose(readPose3D(in).asTPose());
+        v = {pose.x, pose.y, 0, pose.phi, 0, 0};
+      } else {
+        for (double& number : v) number = in.number<double>();
+      }
+      sum.add({v[0], v[1], v[3]}, log_weight);
+    }
+    mean = sum.get();
+  } else {
+    throw ArchiveDamage(
+        fmt::format("{} where a CPose3DPDFGaussian or CPose3DPDFParticles should be", object.name));
+  }
+  in.end(object);
+  return mean;
+}
+
 }  // namespace ariadne::io

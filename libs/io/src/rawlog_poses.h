@@ -12,6 +12,8 @@ mrpt::poses::CPose3D readPose3D(ArchiveReader& in);
 mrpt::math::TPose2D readPose2D(ArchiveReader& in);
 /// Mean of a CPosePDF of any kind.
 mrpt::math::TPose2D readDensity(ArchiveReader& in);
+/// Mean of a CPose3DPDF, one Gaussian or particles, on the floor.
+mrpt::math::TPose2D readDensity3D(ArchiveReader& in);
 /// A matrix that old objects carry and nobody needs.
 void passCovariance(ArchiveReader& in);
 

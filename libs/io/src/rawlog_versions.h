@@ -12,7 +12,7 @@ struct KnownClass {
 
 /// Read off the sources of MRPT 2.5.8 and, where it writes newer ones, MRPT 3; a test compares with
 /// what the installed MRPT writes.
-constexpr std::array<KnownClass, 13> kKnownClasses = {{
+constexpr std::array<KnownClass, 17> kKnownClasses = {{
     {"CObservation2DRangeScan", 8},  // 8 is MRPT 3's: how long a sweep takes
     {"CObservationOdometry", 2},
     {"CActionRobotMovement2D", 7},
@@ -26,6 +26,10 @@ constexpr std::array<KnownClass, 13> kKnownClasses = {{
     {"CPosePDFSOG", 2},
     {"CMatrixF", 0},
     {"CMatrixD", 0},
+    {"CSimpleMap", 2},  // 2 is MRPT 2.12's: velocities
+    {"CPose3DPDFGaussian", 1},
+    {"CPose3DPDFGaussianInf", 0},
+    {"CPose3DPDFParticles", 1},
 }};
 
 /// -1 for a class that is not decoded here.

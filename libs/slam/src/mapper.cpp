@@ -71,10 +71,11 @@ void seedMrpt(std::uint64_t seed, std::size_t step) {
 }  // namespace
 
 struct Mapper::Impl {
-  Impl(const SlamParams& p, int threads, const mrpt::maps::CSimpleMap& known, const TPose2D& start)
+  Impl(const SlamParams& p, int threads, const mrpt::maps::CSimpleMap& before, const TPose2D& start)
       : params(validated(p)),
+        known(std::make_shared<mrpt::maps::CSimpleMap>(before)),
         parallel(std::make_shared<core::Parallel>(threads)),
-        particles(modelsOf(params), *parallel, start, gridOf(known, params.grid)),
+        particles(modelsOf(params), *parallel, start, gridOf(before, params.grid)),
         loops(params, *parallel),
         reckoning(params.motion),
         recapture(params.matcher, params.filter.proposal_gain) {
@@ -95,6 +96,7 @@ struct Mapper::Impl {
                     const Eigen::Matrix3d& covariance);
 
   SlamParams params;
+  std::shared_ptr<const mrpt::maps::CSimpleMap> known;
   std::shared_ptr<core::Parallel> parallel;  // forks work on the same threads
   filter::ParticleSet particles;
   LoopCloser loops;
@@ -249,7 +251,8 @@ TPose2D Mapper::pose() const {
 const filter::ParticleSet& Mapper::particles() const { return impl_->particles; }
 
 mrpt::maps::CSimpleMap Mapper::simpleMap() const {
-  return simpleMapOf(impl_->scans, impl_->particles[impl_->particles.best()].ancestor);
+  return simpleMapOf(*impl_->known, impl_->scans,
+                     impl_->particles[impl_->particles.best()].ancestor);
 }
 
 const std::vector<topology::PlaceGraph>& Mapper::graphs() const { return impl_->loops.graphs(); }

@@ -54,7 +54,7 @@ void RbpfMapBuilder::initialize(const mrpt::maps::CSimpleMap& initial_map,
     start = x0->getMeanVal().asTPose();
   else if (!initial_map.empty())
     start = TPose2D(initial_map.rbegin()->pose->getMeanVal().asTPose());
-  initial_map_ = initial_map;
+  initial_size_ = initial_map.size();
   mapper_ = std::make_unique<Mapper>(params_, threads_, initial_map, start);
   odom_from_robot_ = odom_at_update_ = TPose2D();
   steps_ = 0;
@@ -95,12 +95,11 @@ mrpt::poses::CPose3DPDF::Ptr RbpfMapBuilder::getCurrentPoseEstimation() const {
 }
 
 void RbpfMapBuilder::getCurrentlyBuiltMap(mrpt::maps::CSimpleMap& out_map) const {
-  out_map = initial_map_;
-  for (const auto& entry : mapper_->simpleMap()) out_map.insert(entry.pose, entry.sf);
+  out_map = mapper_->simpleMap();
 }
 
 unsigned int RbpfMapBuilder::getCurrentlyBuiltMapSize() {
-  return static_cast<unsigned>(initial_map_.size() + mapper_->updates());
+  return static_cast<unsigned>(initial_size_ + mapper_->updates());
 }
 
 const mrpt::maps::CMultiMetricMap* RbpfMapBuilder::getCurrentlyBuiltMetricMap() const {

@@ -18,6 +18,7 @@ grid::OccupancyGrid gridOf(const mrpt::maps::CSimpleMap& known, const grid::Grid
 }
 
 mrpt::maps::CSimpleMap simpleMapOf(
+    const mrpt::maps::CSimpleMap& known,
     const std::vector<mrpt::obs::CObservation2DRangeScan::Ptr>& scans,
     const filter::AncestorPtr& leaf) {
   std::vector<TPose2D> poses(scans.size());
@@ -25,7 +26,7 @@ mrpt::maps::CSimpleMap simpleMapOf(
     poses[a.step()] = a.pose();
     return true;
   });
-  mrpt::maps::CSimpleMap map;
+  mrpt::maps::CSimpleMap map = known;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     auto frame = mrpt::obs::CSensoryFrame::Create();
     frame->insert(scans[i]);

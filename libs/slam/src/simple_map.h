@@ -12,8 +12,10 @@ namespace ariadne::slam {
 
 /// Every scan of the simple map at the mean of its pose.
 grid::OccupancyGrid gridOf(const mrpt::maps::CSimpleMap& known, const grid::GridParams& params);
+/// What was known, then the scans of the line.
 /// @param scans one per update of the line
 mrpt::maps::CSimpleMap simpleMapOf(
+    const mrpt::maps::CSimpleMap& known,
     const std::vector<mrpt::obs::CObservation2DRangeScan::Ptr>& scans,
     const filter::AncestorPtr& leaf);
 

@@ -67,7 +67,7 @@ class Mapper {
   /// The path of s*: one pose (map_from_robot) for every step that was processed; between filter
   /// updates along the odometry.
   models::Trajectory path() const;
-  /// The scans that the filter used with the poses of s*, for MRPT's tools.
+  /// The known map, then the scans that the filter used with the poses of s*; for MRPT's tools.
   mrpt::maps::CSimpleMap simpleMap() const;
   /// Where s* is now (map_from_robot): its last update, then along the odometry.
   mrpt::math::TPose2D pose() const;

@@ -63,7 +63,7 @@ class RbpfMapBuilder : public mrpt::slam::CMetricMapBuilder {
 
   SlamParams params_;
   int threads_;
-  mrpt::maps::CSimpleMap initial_map_;
+  std::size_t initial_size_ = 0;  ///< scans of the map it began with
   std::unique_ptr<Mapper> mapper_;
   mrpt::math::TPose2D odom_from_robot_;  // all actions since initialize()
   mrpt::math::TPose2D odom_at_update_;
