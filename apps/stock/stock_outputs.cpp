@@ -28,13 +28,23 @@ Costs costsUntilNow() {
           static_cast<double>(u.ru_maxrss) / 1024};
 }
 
+/// MRPT gives a pointer up to 2.5, a reference later.
+[[maybe_unused]] const mrpt::maps::CMultiMetricMap& mapsOf(
+    const mrpt::maps::CMultiMetricMap* maps) {
+  return *maps;
+}
+[[maybe_unused]] const mrpt::maps::CMultiMetricMap& mapsOf(
+    const mrpt::maps::CMultiMetricMap& maps) {
+  return maps;
+}
+
 void writeOverview(const std::string& file, const StockRun& run,
                    const mrpt::slam::CMetricMapBuilderRBPF& builder) {
   using Grid = mrpt::maps::COccupancyGridMap2D;
-  const auto* maps = builder.getCurrentlyBuiltMetricMap();
-  if (maps->countMapsByClass<Grid>() == 0)
+  const auto& maps = mapsOf(builder.getCurrentlyBuiltMetricMap());
+  if (maps.countMapsByClass<Grid>() == 0)
     throw core::Error(file + ": the INI asks for no occupancy grid, so there is none to draw");
-  report::writeOverview(file, *maps->mapByClass<Grid>(), run.path);
+  report::writeOverview(file, *maps.mapByClass<Grid>(), run.path);
 }
 
 }  // namespace

@@ -48,6 +48,14 @@ RbpfMapBuilder::TConstructionOptions optionsFrom(const std::string& map = "occup
   return options;
 }
 
+/// MRPT gives a pointer up to 2.5, a reference later.
+[[maybe_unused]] const mrpt::maps::CMultiMetricMap& mapsOf(const mrpt::maps::CMultiMetricMap* m) {
+  return *m;
+}
+[[maybe_unused]] const mrpt::maps::CMultiMetricMap& mapsOf(const mrpt::maps::CMultiMetricMap& m) {
+  return m;
+}
+
 /// What a program for CMetricMapBuilderRBPF does with each entry of a rawlog.
 void feed(mrpt::slam::CMetricMapBuilder& builder, const test::RecordedDrive& drive) {
   mrpt::math::TPose2D last;
@@ -89,9 +97,8 @@ TEST(RbpfMapBuilder, MapsLikeTheMapperBehindIt) {
   for (const auto& step : drive.steps) mapper.process(step);
 
   EXPECT_EQ(builder.getCurrentlyBuiltMapSize(), mapper.updates());
-  const auto* maps = builder.getCurrentlyBuiltMetricMap();
-  ASSERT_TRUE(maps);
-  const auto grid = maps->mapByClass<mrpt::maps::COccupancyGridMap2D>();
+  const auto grid =
+      mapsOf(builder.getCurrentlyBuiltMetricMap()).mapByClass<mrpt::maps::COccupancyGridMap2D>();
   ASSERT_TRUE(grid);
   EXPECT_NEAR(grid->getXMin(), mapper.map().getXMin(), 1e-3);
   std::deque<mrpt::math::TPose3D> path;

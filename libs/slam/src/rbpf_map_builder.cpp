@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <type_traits>
 
 #include "ariadne/core/error.h"
 #include "ariadne/models/motion_model.h"
@@ -34,6 +35,14 @@ mrpt::obs::CObservation2DRangeScan::Ptr planarScanOf(const mrpt::obs::CSensoryFr
     if (scan && scan->isPlanarScan(0.1)) return scan;
   }
   return nullptr;
+}
+
+template <class T>
+T asDeclared(const mrpt::maps::CMultiMetricMap& map) {
+  if constexpr (std::is_pointer_v<T>)
+    return &map;
+  else
+    return map;
 }
 
 }  // namespace
@@ -102,12 +111,12 @@ unsigned int RbpfMapBuilder::getCurrentlyBuiltMapSize() {
   return static_cast<unsigned>(initial_size_ + mapper_->updates());
 }
 
-const mrpt::maps::CMultiMetricMap* RbpfMapBuilder::getCurrentlyBuiltMetricMap() const {
+RbpfMapBuilder::BuiltMap RbpfMapBuilder::getCurrentlyBuiltMetricMap() const {
   if (!metric_map_) {
     metric_map_ = std::make_unique<mrpt::maps::CMultiMetricMap>();
     metric_map_->maps.push_back(mrpt::maps::COccupancyGridMap2D::Create(mapper_->map()));
   }
-  return metric_map_.get();
+  return asDeclared<BuiltMap>(*metric_map_);
 }
 
 void RbpfMapBuilder::saveCurrentEstimationToImage(const std::string& file, bool) {

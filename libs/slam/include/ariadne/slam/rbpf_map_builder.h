@@ -7,6 +7,7 @@
 
 #include <deque>
 #include <memory>
+#include <utility>
 #include <string>
 
 #include "ariadne/slam/mapper.h"
@@ -42,8 +43,11 @@ class RbpfMapBuilder : public mrpt::slam::CMetricMapBuilder {
                                 mrpt::obs::CSensoryFrame& observations) override;
   void getCurrentlyBuiltMap(mrpt::maps::CSimpleMap& out_map) const override;
   unsigned int getCurrentlyBuiltMapSize() override;
-  /// The map of s* as a COccupancyGridMap2D; valid until the next step.
-  const mrpt::maps::CMultiMetricMap* getCurrentlyBuiltMetricMap() const override;
+  /// The map of s* as a COccupancyGridMap2D; valid until the next step. A pointer up to MRPT 2.5, a
+  /// reference later.
+  using BuiltMap =
+      decltype(std::declval<const mrpt::slam::CMetricMapBuilder&>().getCurrentlyBuiltMetricMap());
+  BuiltMap getCurrentlyBuiltMetricMap() const override;
   /// Writes a PNG of the map of s*. Throws core::Error when it cannot be written.
   void saveCurrentEstimationToImage(const std::string& file, bool formatEMF_BMP = true) override;
 
