@@ -2,7 +2,8 @@
 
 #include <cmath>
 #include <cstdint>
-#include <unordered_set>
+#include <set>
+#include <utility>
 
 #include "ariadne/grid/endpoint_likelihood.h"
 #include "ariadne/models/motion_model.h"
@@ -12,7 +13,7 @@ namespace ariadne::closure {
 std::vector<mrpt::math::TPoint2D> lastPiece(const Track& track, const std::vector<ScanHits>& hits,
                                             double length_m, double spacing_m, std::size_t most) {
   const std::size_t now = track.now();
-  std::unordered_set<std::int64_t> taken;
+  std::set<std::pair<std::int64_t, std::int64_t>> taken;
   std::vector<mrpt::math::TPoint2D> piece;
   for (std::size_t k = now + 1; k-- > 0;) {
     if (track.travelled_m[now] - track.travelled_m[k] > length_m) break;
@@ -20,7 +21,7 @@ std::vector<mrpt::math::TPoint2D> lastPiece(const Track& track, const std::vecto
     for (const auto& p : placed(now_from_then, hits[k])) {
       const auto i = static_cast<std::int64_t>(std::floor(p.x / spacing_m));
       const auto j = static_cast<std::int64_t>(std::floor(p.y / spacing_m));
-      if (taken.insert((i << 32) ^ (j & 0xffffffff)).second) piece.push_back(p);
+      if (taken.emplace(i, j).second) piece.push_back(p);
     }
   }
   return grid::thinned(piece, most);
