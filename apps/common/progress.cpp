@@ -41,6 +41,7 @@ void Progress::tell(const std::string& what, double share) {
 }
 
 void Progress::show(const std::string& line) {
+  if (style_ == ProgressStyle::none) return;
   last_ = Clock::now();
   if (style_ != ProgressStyle::terminal) {
     out_ << line << '\n' << std::flush;

@@ -9,11 +9,13 @@
 #include <ostream>
 
 #include "ariadne/core/error.h"
+#include "ariadne/core/names.h"
 #include "ariadne/io/output_folder.h"
 #include "ariadne/io/relations.h"
 #include "ariadne/io/tum.h"
 #include "ariadne/io/whole_file.h"
 #include "ariadne/process/find_program.h"
+#include "beginning.h"
 #include "compare_options.h"
 #include "comparison_output.h"
 #include "comparison_page.h"
@@ -48,6 +50,11 @@ slam_app::ResolvedConfig configOf(const Options& options) {
       resolved.config.slam.filter.seed + static_cast<std::uint64_t>(options.repeats - 1);
   if (last_seed > std::numeric_limits<std::int32_t>::max())
     throw core::UsageError(fmt::format("seeds up to {}: stock takes 0 to 2147483647", last_seed));
+  if (const std::string& known = resolved.config.continue_from.run; !known.empty())
+    throw core::UsageError(fmt::format(
+        "[continue] run = {}: stock MRPT cannot go on in a map, so there is nothing to compare; "
+        "with --set continue.run= both begin a new one",
+        core::printable(known)));
   const std::string& dataset = resolved.config.dataset.file;
   if (dataset.empty()) throw core::UsageError("no dataset: name one behind CONFIG");
   if (std::error_code ignored; !fs::exists(dataset, ignored))
@@ -121,6 +128,20 @@ Contest contestOf(const Options& options, const slam_app::SlamConfig& config,
   return contest;
 }
 
+/// Of all runs; tells beforehand how long they take, and how far they are.
+std::vector<ComparedFigure> figuresOf(const Contest& contest, bool quiet, std::ostream& err) {
+  writeInis(contest);
+  Forecast forecast(contest.repeats);
+  app::Progress progress(err, app::progressStyle(quiet, err));
+  const LogUpdates updates(contest.ours);
+  if (!quiet) {
+    tryBeginnings(contest, updates, forecast);
+    if (const std::string text = forecast.text(); !text.empty())
+      fmt::print(err, "{}: {}\n", kName, text);
+  }
+  return runContest(contest, updates, forecast, progress);
+}
+
 int compare(const Options& options, std::ostream& out, std::ostream& err) {
   const auto resolved = configOf(options);
   app::warn(err, kName, resolved.warnings);
@@ -133,9 +154,7 @@ int compare(const Options& options, std::ostream& out, std::ostream& err) {
   comparison.dataset = resolved.config.dataset.file;
   comparison.stock_base = stock_base.string();
   comparison.settings = settingsText(resolved.config);
-  comparison.figures = runContest(contest, [&](const std::string& line) {
-    if (!options.quiet) fmt::print(err, "{}: {}\n", kName, line);
-  });
+  comparison.figures = figuresOf(contest, options.quiet, err);
   out << comparisonText(comparison, requirements) << std::flush;  // first: files may fail
   if (!options.json.empty())
     io::writeWhole(options.json, slam_app::jsonText(comparisonJson(comparison, requirements)));

@@ -1,11 +1,13 @@
 // The runs of a comparison, in turns.
 #pragma once
 #include <filesystem>
-#include <functional>
 #include <string>
 
 #include "comparison.h"
 #include "config.h"
+#include "forecast.h"
+#include "log_updates.h"
+#include "progress.h"
 
 namespace ariadne::compare_app {
 
@@ -21,14 +23,22 @@ struct Contest {
   References references;
 };
 
+/// The commands of repeat i (from 1), which write into the folders below; stock's folder is made.
+std::vector<std::string> oursCommand(const Contest& contest, int repeat);
+std::vector<std::string> stockCommand(const Contest& contest, int repeat);
+
 /// Where repeat i (from 1) of each program writes.
 std::filesystem::path oursFolder(const Contest& contest, int repeat);
 std::filesystem::path stockFolder(const Contest& contest, int repeat);
 
-/// Writes both INIs into the folder, runs ours, stock, ours, stock, ... and gives the figures.
-/// @param tell called with a line before each run
+/// Writes both INIs into the folder, as the programs are given them. Throws core::Error.
+void writeInis(const Contest& contest);
+
+/// Runs ours, stock, ours, stock, ... on writeInis()'s and gives the figures.
+/// @param updates of the log, by which a run's progress is told
+/// @param forecast of what is known already; takes what each run took
 /// Throws core::Error when a run fails.
-std::vector<ComparedFigure> runContest(const Contest& contest,
-                                       const std::function<void(const std::string&)>& tell);
+std::vector<ComparedFigure> runContest(const Contest& contest, const LogUpdates& updates,
+                                       Forecast& forecast, app::Progress& progress);
 
 }  // namespace ariadne::compare_app

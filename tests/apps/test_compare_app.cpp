@@ -65,6 +65,34 @@ TEST_F(CompareApp, SetsBothSideBySide) {
     EXPECT_NE(stock_ini.find(part), std::string::npos) << part;
 }
 
+TEST_F(CompareApp, TellsBeforehandHowLongItTakes) {
+  const std::vector<std::string> often{"--set", "update.update_distance_m=0.1"};
+  std::vector<std::string> args{ini, kLog, "--repeats", "2", "--out", path("c")};
+  args.insert(args.end(), often.begin(), often.end());
+  ASSERT_EQ(run(args), 0) << err.str();
+  const std::string told = err.str();
+  const auto at = [&](const std::string& part) { return told.find(part); };
+  EXPECT_LT(at("2 runs of ariadne-slam, 0:0"), at("run 1 of 2, ariadne-slam: ")) << told;
+  EXPECT_LT(at("in all, as their beginnings show"), at("run 1 of 2, ariadne-slam: 0 % of all, 0:"))
+      << told;
+  EXPECT_NE(at("run 2 of 2, stock MRPT: "), told.npos) << told;
+  args.insert(args.end(), {"--overwrite", "--quiet"});
+  ASSERT_EQ(run(args), 0) << err.str();
+  EXPECT_EQ(err.str(), "");
+}
+
+TEST_F(CompareApp, RefusesToGoOnInAMap) {
+  io::writeWhole(folder / "on.ini", "[continue]\nrun = " + path("earlier") + "\n");
+  EXPECT_EQ(run({path("on.ini"), kLog, "--out", path("c")}), 2);
+  EXPECT_NE(err.str().find("[continue] run = " + path("earlier")), std::string::npos) << err.str();
+  EXPECT_NE(err.str().find("--set continue.run="), std::string::npos) << err.str();
+  EXPECT_FALSE(fs::exists(folder / "c"));
+  EXPECT_EQ(run({path("on.ini"), kLog, "--set", "continue.run=", "--particles", "2", "--repeats",
+                 "1", "--out", path("c")}),
+            0)
+      << err.str();
+}
+
 TEST_F(CompareApp, SaysWhichRequirementIsNotMet) {
   const std::vector<std::string> args{ini,     kLog,      "--repeats", "1",
                                       "--out", path("c"), "--require", "updates_ratio<0.5"};

@@ -5,6 +5,7 @@
 
 #include "ariadne/core/error.h"
 #include "comparison_output.h"
+#include "forecast.h"
 
 using namespace ariadne;
 using namespace ariadne::compare_app;
@@ -48,6 +49,26 @@ TEST(Comparison, IsWrittenWithItsRequirements) {
   const auto json = comparisonJson(c, both);
   EXPECT_TRUE(json["figures"]["updates"]["ratio"].is_null());
   EXPECT_EQ(json["figures"]["cpu_s"]["stock"]["max"], 40);
+}
+
+TEST(Forecast, IsOfBeginningsThenOfTheRunThenOfRunsThatEnded) {
+  Forecast forecast(3);
+  EXPECT_EQ(forecast.text(), "");
+  forecast.expect(Side::ours, 4);
+  EXPECT_FALSE(forecast.left_s({Side::ours, 1, 0})) << "nothing is known of stock";
+  forecast.expect(Side::stock, 60);
+  EXPECT_EQ(forecast.text(),
+            "3 runs of ariadne-slam, 0:04 each; 3 runs of stock MRPT, 1:00 each; 3:12 in all, as "
+            "their beginnings show");
+  EXPECT_EQ(forecast.left_s({Side::ours, 1, 0}), 3 + 2 * 4 + 3 * 60);
+  forecast.ended(Side::ours, 6);
+  // Half of the updates in 50 s: 100 s a run now, where the beginning said 60.
+  EXPECT_EQ(forecast.left_s({Side::stock, 50, 0.5}), 50 + 2 * 6 + 2 * 60);
+  EXPECT_EQ(forecast.left_s({Side::stock, 70, 0.01}), 0 + 2 * 6 + 2 * 60) << "too early to tell";
+  forecast.ended(Side::stock, 100);
+  EXPECT_EQ(forecast.progressText({Side::ours, 1, 0}),
+            "run 2 of 3, ariadne-slam: 34 % of all, 3:31 left");
+  EXPECT_EQ(forecast.left_s({Side::ours, 1, 0}), 5 + 6 + 2 * 100);
 }
 
 TEST(Requirement, OfAnyLengthIsAnsweredAndNotAnOverflow) {

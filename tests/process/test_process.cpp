@@ -9,6 +9,7 @@
 #include "ariadne/io/whole_file.h"
 #include "ariadne/process/call.h"
 #include "ariadne/process/find_program.h"
+#include "ariadne/process/share_read.h"
 
 using namespace ariadne;
 namespace fs = std::filesystem;
@@ -51,6 +52,22 @@ TEST_F(Processes, TellsHowItEnded) {
   EXPECT_NE(said({"/bin/sh", "-c", "kill -9 $$"}).find("killed by signal 9"), std::string::npos);
   EXPECT_NE(said({(folder / "none").string()}).find("No such file"), std::string::npos);
   EXPECT_TRUE(process::findSister("ariadne-no-such-program").empty());
+}
+
+TEST_F(Processes, TellsHowFarOneIsInAFile) {
+  io::writeWhole(folder / "log", std::string(4000, 'x'));
+  const std::string file = (folder / "log").string();
+  // Reads a quarter and keeps the file open.
+  process::Process reader(
+      {"/bin/sh", "-c", "exec 3<\"$0\"; dd bs=1000 count=1 <&3 >&2; sleep 60", file}, {});
+  std::optional<double> share;
+  while (reader.elapsed_s() < 10 && share.value_or(0) == 0) {
+    share = process::shareRead(reader.pid(), file);
+    process::waitForAny({&reader}, std::chrono::milliseconds(10));
+  }
+  EXPECT_EQ(share, 0.25);
+  EXPECT_FALSE(process::shareRead(reader.pid(), folder / "other"));
+  EXPECT_FALSE(process::shareRead(-1, file));
 }
 
 TEST(Called, TellsWhatIsMissingFailsOrHangs) {

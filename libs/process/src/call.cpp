@@ -7,9 +7,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
-#include <limits>
+#include <optional>
 
 #include "arguments.h"
 #include "ariadne/core/error.h"
@@ -83,14 +84,18 @@ void callInForeground(const std::vector<std::string>& argv) {
   }
 }
 
-ProcessEnd runToEnd(const std::vector<std::string>& argv,
-                    const std::filesystem::path& stdout_file) {
+ProcessEnd runToEnd(const std::vector<std::string>& argv, const std::filesystem::path& stdout_file,
+                    const std::function<void(const Process&)>& meanwhile) {
   Process process(argv, stdout_file);
-  ProcessEnd end = endOf(process, std::numeric_limits<double>::infinity(), argv[0]);
-  if (end.signal == 0 && end.exit_code == 0) return end;
+  std::optional<ProcessEnd> end;
+  while (!(end = process.poll())) {
+    if (meanwhile) meanwhile(process);
+    waitForAny({&process}, std::chrono::milliseconds(100));
+  }
+  if (end->signal == 0 && end->exit_code == 0) return *end;
   throw core::Error(
-      fmt::format("{} {} {}: {}", argv[0], end.signal != 0 ? "was" : "failed with", describe(end),
-                  end.last_words.empty() ? "it said nothing" : trimmedEnd(end.last_words)));
+      fmt::format("{} {} {}: {}", argv[0], end->signal != 0 ? "was" : "failed with", describe(*end),
+                  end->last_words.empty() ? "it said nothing" : trimmedEnd(end->last_words)));
 }
 
 }  // namespace ariadne::process

@@ -1,6 +1,7 @@
 // Programs of the system that are asked or set to work: sbatch, squeue, sacct, parallel.
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@ void callInForeground(const std::vector<std::string>& argv);
 
 /// Runs the command to its end, what it prints going to `stdout_file`. Throws core::Error with its
 /// last words when it cannot be started, fails or is killed.
-ProcessEnd runToEnd(const std::vector<std::string>& argv, const std::filesystem::path& stdout_file);
+/// @param meanwhile called while it runs, some times a second; may be none
+ProcessEnd runToEnd(const std::vector<std::string>& argv, const std::filesystem::path& stdout_file,
+                    const std::function<void(const Process&)>& meanwhile = {});
 
 }  // namespace ariadne::process

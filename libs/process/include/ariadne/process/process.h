@@ -39,6 +39,8 @@ class Process {
   /// The same, and waits for the end.
   void stop();
   double elapsed_s() const;
+  /// Of the system; -1 once it has ended.
+  pid_t pid() const { return pid_; }
 
  private:
   friend void waitForAny(const std::vector<const Process*>&, std::chrono::milliseconds);
