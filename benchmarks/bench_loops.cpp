@@ -2,6 +2,7 @@
 // detection with 100 particles and 500 places. One thread.
 #include <benchmark/benchmark.h>
 
+#include "ariadne/geometry/pose.h"
 #include "ariadne/recovery/recover.h"
 #include "ariadne/topology/loop_opportunity.h"
 #include "corridor.h"
@@ -30,7 +31,7 @@ struct Loop {
       filter::Particle p;
       for (std::size_t k = 0; k < drive.poses.size(); ++k) {
         p.ancestor = std::make_shared<filter::Ancestor>(
-            p.ancestor, k, models::compose(start, drive.poses[k]), 0.0);
+            p.ancestor, k, geometry::compose(start, drive.poses[k]), 0.0);
         if (k > 0) continue;
         p.map.insert(drive.shapes[0], start);
         p.checkpoints = std::make_shared<filter::Checkpoint>(0U, p.map, nullptr);
@@ -96,7 +97,7 @@ static void BM_RebuildFromScratch(benchmark::State& state) {
       grid::OccupancyGrid map;
       const TPose2D start = loop.saved.entries[i].at_te->pose();
       for (std::size_t k = 0; k < loop.drive.poses.size(); ++k)
-        map.insert(loop.drive.shapes[k], models::compose(start, loop.drive.poses[k]));
+        map.insert(loop.drive.shapes[k], geometry::compose(start, loop.drive.poses[k]));
       benchmark::DoNotOptimize(map);
     }
 }

@@ -48,7 +48,7 @@ Figures figuresOf(const fs::path& path, const Neff& neff, const process::Process
                   const References& references) {
   Figures f{{"cpu_s", costs.cpu_s},         {"wall_s", costs.wall_s},
             {"memory_mb", costs.memory_mb}, {"updates", neff.updates},
-            {"neff_share", neff.share},     {"length_m", slam_app::lengthOf(io::readTum(path))}};
+            {"neff_share", neff.share},     {"length_m", geometry::lengthOf(io::readTum(path))}};
   eval_app::Arguments args;
   args.estimate = path.string();
   args.truth = references.truth;

@@ -79,7 +79,7 @@ void addNoise(const DatasetArguments& args, std::ostream& out, std::ostream& err
   fs::path truth_path = args.out;
   truth_path += ".truth.tum";
   refuseToOverwrite(truth_path, args.overwrite);
-  models::Trajectory truth;
+  geometry::Trajectory truth;
   io::NoisyOdometry odometry(args.noise, args.seed);
   convert(args, out, err, [&](const io::NextStep& next) {
     return io::writeRawlog(args.out, [&] {

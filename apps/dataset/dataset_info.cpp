@@ -7,6 +7,7 @@
 
 #include "ariadne/checks/checks.h"
 #include "ariadne/core/error.h"
+#include "ariadne/geometry/pose.h"
 #include "ariadne/io/dataset_records.h"
 
 namespace ariadne {
@@ -80,7 +81,7 @@ void followSteps(DatasetInfo& info, io::StepSource& steps,
     watch.add(*step);
     if (before && !step->odometry_jumped) {
       const auto& last = before->odom_from_robot;
-      const double length = std::hypot(pose.x - last.x, pose.y - last.y);
+      const double length = geometry::distance(pose, last);
       info.path_length_m += length;
       info.longest_step_m = std::max(info.longest_step_m, length);
       info.turned_deg += std::abs(std::remainder(pose.phi - last.phi, 2 * M_PI)) * kDegrees;

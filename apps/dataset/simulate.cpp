@@ -5,6 +5,7 @@
 #include <cmath>
 #include <ostream>
 
+#include "ariadne/geometry/trajectory.h"
 #include "ariadne/io/dataset_writers.h"
 #include "ariadne/io/ini_fields.h"
 #include "ariadne/io/ini_writer.h"
@@ -42,15 +43,8 @@ sim::TruthDrive drive(const SimulateArguments& args, const sim::World& world,
   return sim::driveThrough(world, path, params, [&](double done) { progress.tell(what, done); });
 }
 
-double lengthOf(const models::Trajectory& poses) {
-  double sum = 0;
-  for (std::size_t i = 1; i < poses.size(); ++i)
-    sum += std::hypot(poses[i].pose.x - poses[i - 1].pose.x, poses[i].pose.y - poses[i - 1].pose.y);
-  return sum;
-}
-
-std::string summaryOf(const models::Trajectory& poses) {
-  return fmt::format("{} scans, {:.1f} m, {:.1f} s", poses.size(), lengthOf(poses),
+std::string summaryOf(const geometry::Trajectory& poses) {
+  return fmt::format("{} scans, {:.1f} m, {:.1f} s", poses.size(), geometry::lengthOf(poses),
                      poses.back().time_s);
 }
 
@@ -114,7 +108,7 @@ void simulate(const SimulateArguments& args, std::ostream& out, std::ostream& er
 void drawWorld(const SimulateArguments& args, std::ostream& out, std::ostream& err) {
   refuseToOverwrite(args.out, args.overwrite);
   const sim::World world = worldOf(args, err);
-  models::Trajectory poses;
+  geometry::Trajectory poses;
   if (world.start) poses = {{0, *world.start}};
   if (args.path.empty() && (args.laps || !args.settings.empty()))
     throw core::UsageError("--laps and --set are for a drive: --path names it");

@@ -10,8 +10,8 @@
 #include <memory>
 
 #include "ariadne/core/error.h"
+#include "ariadne/geometry/pose.h"
 #include "ariadne/io/whole_file.h"
-#include "ariadne/models/motion_model.h"
 #include "ariadne/report/axes.h"
 
 namespace ariadne::eval_app {
@@ -39,7 +39,7 @@ Axes mapAxes(const TruthResult& r) {
   };
   for (const auto& p : r.pairs) {
     take(p.truth);
-    take(models::compose(r.truth_from_estimate, p.estimate));
+    take(geometry::compose(r.truth_from_estimate, p.estimate));
   }
   Axes a{80, 60, 880, 700, 0, 0, 0, 0};
   const double metres_per_pixel =
@@ -60,7 +60,7 @@ void drawTrajectories(cairo_t* cr, const TruthResult& r) {
   for (const auto& p : r.pairs) cairo_line_to(cr, a.x(p.truth.x), a.y(p.truth.y));
   cairo_stroke(cr);
   for (std::size_t i = 0; i < r.pairs.size(); ++i) {
-    const auto laid = models::compose(r.truth_from_estimate, r.pairs[i].estimate);
+    const auto laid = geometry::compose(r.truth_from_estimate, r.pairs[i].estimate);
     setErrorColour(cr, r.distances_m[i] / std::max(r.absolute_m.max, 1e-12));
     cairo_set_line_width(cr, 1);
     cairo_move_to(cr, a.x(r.pairs[i].truth.x), a.y(r.pairs[i].truth.y));

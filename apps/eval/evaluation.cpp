@@ -27,8 +27,8 @@ std::vector<double> headingErrors(const std::vector<eval::PosePair>& pairs, doub
   return errors;
 }
 
-void acrossClosures(TruthResult& r, const Arguments& args, const models::Trajectory& estimate,
-                    const models::Trajectory& truth) {
+void acrossClosures(TruthResult& r, const Arguments& args, const geometry::Trajectory& estimate,
+                    const geometry::Trajectory& truth) {
   const auto errors = eval::loopErrors(estimate, truth, args.max_gap_s);
   std::vector<double> translations;
   std::vector<double> headings;
@@ -43,7 +43,7 @@ void acrossClosures(TruthResult& r, const Arguments& args, const models::Traject
   r.closure_deg = eval::figuresOf(headings);
 }
 
-TruthResult againstTruth(const Arguments& args, const models::Trajectory& estimate) {
+TruthResult againstTruth(const Arguments& args, const geometry::Trajectory& estimate) {
   const auto truth = io::readTum(args.truth);
   TruthResult r;
   r.truth_poses = truth.size();
@@ -64,7 +64,7 @@ TruthResult againstTruth(const Arguments& args, const models::Trajectory& estima
   return r;
 }
 
-RelationResult againstRelations(const Arguments& args, const models::Trajectory& estimate) {
+RelationResult againstRelations(const Arguments& args, const geometry::Trajectory& estimate) {
   const auto relations = io::readRelations(args.relations);
   const auto errors = eval::relationErrors(estimate, relations, args.max_gap_s);
   if (errors.translation_m.empty())

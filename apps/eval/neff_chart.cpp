@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ariadne/geometry/pose.h"
 #include "ariadne/report/curves.h"
 #include "ariadne/slam/mapper.h"
 
@@ -12,11 +13,10 @@ namespace ariadne::eval_app {
 namespace {
 
 /// Way along the true path up to each of its poses, m.
-std::vector<double> wayAlong(const models::Trajectory& truth) {
+std::vector<double> wayAlong(const geometry::Trajectory& truth) {
   std::vector<double> way{0};
   for (std::size_t i = 1; i < truth.size(); ++i)
-    way.push_back(way.back() + std::hypot(truth[i].pose.x - truth[i - 1].pose.x,
-                                          truth[i].pose.y - truth[i - 1].pose.y));
+    way.push_back(way.back() + geometry::distance(truth[i].pose, truth[i - 1].pose));
   return way;
 }
 

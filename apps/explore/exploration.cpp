@@ -4,8 +4,8 @@
 
 #include <chrono>
 
+#include "ariadne/geometry/pose.h"
 #include "ariadne/mission/coverage.h"
-#include "ariadne/models/motion_model.h"
 #include "decision_moments.h"
 
 namespace ariadne::explore_app {
@@ -126,7 +126,7 @@ void measure(ExplorationResult& result, const mission::Mission& mission, const s
       world, truth, mission::sighted(result.mission.steps, result.mission.truth, resolution_m));
   slam_app::RunResult& mapping = result.mapping;
   mapping.truth = slam_app::fitTruth(mapping.path, result.mission.truth);
-  const auto truth_from_map = models::relativePose(mapping.truth->map_from_truth, {0, 0, 0});
+  const auto truth_from_map = geometry::relativePose(mapping.truth->map_from_truth, {0, 0, 0});
   result.score = eval::mapScore(mapOf(mission.mapper()), truth, truth_from_map, kMapTolerance_m);
   result.loop_errors = eval::loopErrors(mapping.path, result.mission.truth, 0);
   result.correct = eval::correct(result.loop_errors, result.config.correct);

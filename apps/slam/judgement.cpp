@@ -30,7 +30,7 @@ std::vector<std::string> doubtWarnings(const RunResult& r) {
 void judge(RunResult& result) {
   checks::MapFigures map;
   map.updates = result.record.reports.size();
-  map.path_m = lengthOf(result.path);
+  map.path_m = geometry::lengthOf(result.path);
   for (const slam::StepReport& r : result.record.reports) {
     // The first scan has no map to be matched with.
     if (r.step == 0 || result.config.slam.filter.proposal == filter::Proposal::odometry) continue;

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "ariadne/checks/drive_watch.h"
+#include "ariadne/geometry/trajectory.h"
 #include "ariadne/io/dataset.h"
-#include "ariadne/models/stamped_pose.h"
 #include "ariadne/slam/mapper.h"
 #include "config.h"
 #include "interrupt.h"
@@ -16,7 +16,7 @@ namespace ariadne::slam_app {
 
 struct MappingRecord {
   std::vector<slam::StepReport> reports;  ///< one a filter update
-  models::Trajectory odometry;            ///< odom_from_robot at every step
+  geometry::Trajectory odometry;          ///< odom_from_robot at every step
   checks::DriveFigures drive;
   std::size_t scans_lost = 0;  ///< of odometry by scans: those that fitted nowhere
   double reading_s = 0;        ///< wall clock, within total_s

@@ -12,8 +12,8 @@
 namespace ariadne::slam_app {
 namespace {
 
-std::string durationText(const models::Trajectory& odometry) {
-  const auto s = static_cast<long>(models::durationOf(odometry) + 0.5);
+std::string durationText(const geometry::Trajectory& odometry) {
+  const auto s = static_cast<long>(geometry::durationOf(odometry) + 0.5);
   if (s >= 3600) return fmt::format("{}:{:02}:{:02} h", s / 3600, s / 60 % 60, s % 60);
   return fmt::format("{}:{:02} min", s / 60, s % 60);
 }
@@ -23,7 +23,7 @@ std::vector<report::ReplayFact> factsOf(const RunResult& r) {
       {"Scans", fmt::format("{}", r.record.odometry.size())},
       {"Filter updates", fmt::format("{}", r.record.reports.size())},
       {"Duration", durationText(r.record.odometry)},
-      {"Path", fmt::format("{:.1f} m", lengthOf(r.path))},
+      {"Path", fmt::format("{:.1f} m", geometry::lengthOf(r.path))},
       {"Particles", fmt::format("{}", r.config.slam.filter.particles)},
       {"Cell", fmt::format("{:g} m", r.config.slam.grid.resolution_m)},
       {"Seed", fmt::format("{}", r.config.slam.filter.seed)}};

@@ -34,7 +34,8 @@ constexpr const char* kName = "ariadne-slam";
 void printResult(std::ostream& out, const RunResult& result) {
   const MappingRecord& record = result.record;
   fmt::print(out, "{} scans over {:.0f} m, {} filter updates, in {:.2f} s\n",
-             record.odometry.size(), lengthOf(result.path), record.reports.size(), record.total_s);
+             record.odometry.size(), geometry::lengthOf(result.path), record.reports.size(),
+             record.total_s);
   if (!result.config.slam.loop_closing.enabled) return;
   const LoopCounts loops = countLoops(result.closings);
   fmt::print(out, "Loops: {} detected, {} closed, {} followed by a recovery of diversity\n",
@@ -44,7 +45,7 @@ void printResult(std::ostream& out, const RunResult& result) {
 }
 
 /// Lays the truth over the path of the result; a warning when it is of another time.
-void compare(RunResult& result, models::Trajectory truth, const std::string& file) {
+void compare(RunResult& result, geometry::Trajectory truth, const std::string& file) {
   if (truth.empty()) return;
   result.truth = fitTruth(result.path, std::move(truth));
   if (!result.truth)
@@ -115,7 +116,7 @@ int mapDataset(const Options& options, ResolvedConfig resolved, std::ostream& ou
   if (std::error_code ignored; !std::filesystem::exists(config.dataset.file, ignored))
     throw core::Error(fmt::format("there is no log {}; to map another, name it behind CONFIG",
                                   config.dataset.file));
-  models::Trajectory truth;
+  geometry::Trajectory truth;
   if (!options.truth.empty()) truth = io::readTum(options.truth);
 
   const app::Interrupt interrupt;

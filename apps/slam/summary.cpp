@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ariadne/core/parallel.h"
+#include "ariadne/geometry/trajectory.h"
 #include "loop_counts.h"
 
 namespace ariadne::slam_app {
@@ -74,12 +75,12 @@ Json loopFigures(const std::vector<slam::ClosingRecord>& closings, std::size_t f
 }
 
 Json datasetFigures(const RunResult& r) {
-  const models::Trajectory& odometry = r.record.odometry;
+  const geometry::Trajectory& odometry = r.record.odometry;
   const io::DatasetCounts& c = r.counts;
   return {{"file", r.config.dataset.file},
           {"laser", r.laser_label},
           {"scans", odometry.size()},
-          {"duration_s", models::durationOf(odometry)},
+          {"duration_s", geometry::durationOf(odometry)},
           {"odometry_length_m", r.record.drive.odometry_m},
           {"beams", c.beams},
           {"beams_no_return", c.beams_no_return},
@@ -125,13 +126,6 @@ Json costs(const RunResult& r, double writing_s) {
 
 }  // namespace
 
-double lengthOf(const models::Trajectory& path) {
-  double length = 0;
-  for (std::size_t i = 1; i < path.size(); ++i)
-    length += std::hypot(path[i].pose.x - path[i - 1].pose.x, path[i].pose.y - path[i - 1].pose.y);
-  return length;
-}
-
 Json summaryOf(const RunResult& result, double writing_s, const std::vector<std::string>& files) {
   return {{"program", "ariadne-slam"},
           {"versions", {{"ariadne", ARIADNE_VERSION}, {"mrpt", mrpt::system::MRPT_getVersion()}}},
@@ -143,7 +137,7 @@ Json summaryOf(const RunResult& result, double writing_s, const std::vector<std:
           {"filter", filterFigures(result.record.reports)},
           {"loops", loopFigures(result.closings, result.found.size())},
           {"learned_motion", learnedMotion(result.learned, result.config.slam.motion)},
-          {"path_length_m", lengthOf(result.path)},
+          {"path_length_m", geometry::lengthOf(result.path)},
           {"checks", checkFigures(result)},
           {"ate_rmse_m", result.truth ? Json(result.truth->ate_rmse_m) : Json()},
           {"costs", costs(result, writing_s)},

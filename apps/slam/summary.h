@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ariadne/checks/checks.h"
+#include "ariadne/geometry/trajectory.h"
 #include "ariadne/io/dataset.h"
 #include "ariadne/io/ini_writer.h"
 #include "ariadne/report/replay.h"
@@ -25,7 +26,7 @@ struct RunResult {
   models::MotionLearner learned = models::MotionLearner({});
   slam::DoubtCounts doubts;
   std::vector<checks::Check> checks;  ///< their warnings are among the warnings
-  models::Trajectory path;            ///< of s*, one pose a scan
+  geometry::Trajectory path;          ///< of s*, one pose a scan
   io::DatasetCounts counts;
   std::string laser_label;
   Continuation from;  ///< its scans are the mapper's now
@@ -33,9 +34,6 @@ struct RunResult {
   std::optional<TruthFit> truth;  ///< where a true path was given
   report::Replay replay;          ///< empty where no report is wanted
 };
-
-/// Sum of the distances between successive poses, m.
-double lengthOf(const models::Trajectory& path);
 
 /// CPU time and peak memory are the process's until now.
 /// @param writing_s wall clock that the other files took

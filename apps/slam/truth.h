@@ -5,14 +5,14 @@
 #include <cstddef>
 #include <optional>
 
-#include "ariadne/models/stamped_pose.h"
+#include "ariadne/geometry/trajectory.h"
 
 namespace ariadne::slam_app {
 
 /// The truth laid over the path of s* by the rotation and shift that minimise the squared
 /// distances, as ariadne-eval does.
 struct TruthFit {
-  models::Trajectory truth;  ///< truth_from_robot
+  geometry::Trajectory truth;  ///< truth_from_robot
   mrpt::math::TPose2D map_from_truth;
   double ate_rmse_m = 0;
   std::size_t poses = 0;  ///< true poses at which the path has one
@@ -22,6 +22,6 @@ struct TruthFit {
 constexpr double kTruthGap_s = 1;
 
 /// Nothing when the two have no time in common.
-std::optional<TruthFit> fitTruth(const models::Trajectory& path, models::Trajectory truth);
+std::optional<TruthFit> fitTruth(const geometry::Trajectory& path, geometry::Trajectory truth);
 
 }  // namespace ariadne::slam_app

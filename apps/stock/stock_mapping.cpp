@@ -12,7 +12,7 @@
 #include <deque>
 
 #include "ariadne/core/error.h"
-#include "ariadne/models/motion_model.h"
+#include "ariadne/geometry/pose.h"
 
 namespace ariadne::stock_app {
 namespace {
@@ -47,13 +47,13 @@ std::size_t pathLength(const Builder& builder) {
   return builder.mapPDF.m_particles.front().d->robotPath.size();
 }
 
-models::Trajectory pathOf(const Builder& builder, const std::vector<ScanPlace>& scans) {
+geometry::Trajectory pathOf(const Builder& builder, const std::vector<ScanPlace>& scans) {
   std::deque<mrpt::math::TPose3D> poses;
   builder.getCurrentMostLikelyPath(poses);
-  models::Trajectory path;
+  geometry::Trajectory path;
   path.reserve(scans.size());
   for (const ScanPlace& s : scans)
-    path.push_back({s.time_s, models::compose(TPose2D(poses.at(s.update)), s.since)});
+    path.push_back({s.time_s, geometry::compose(TPose2D(poses.at(s.update)), s.since)});
   return path;
 }
 
@@ -80,7 +80,7 @@ StockRun mapRawlog(const std::string& rawlog, Builder& builder) {
   while (mrpt::obs::CRawlog::getActionObservationPairOrObservation(archive, action, frame,
                                                                    observation, entry)) {
     if (!action || !frame || frame->empty()) throw core::Error(wanted);
-    since = models::compose(since, movementOf(*action));
+    since = geometry::compose(since, movementOf(*action));
     const std::size_t before = pathLength(builder);
     builder.processActionObservation(*action, *frame);
     if (pathLength(builder) > before) {

@@ -4,14 +4,14 @@
 
 #include <string>
 
-#include "ariadne/models/stamped_pose.h"
+#include "ariadne/geometry/trajectory.h"
 
 namespace ariadne::stock_app {
 
 struct StockRun {
-  models::Trajectory mean;  ///< mean of the particles at every scan, as it was then
-  models::Trajectory path;  ///< of the best particle in the end, a pose at every scan
-  std::size_t updates = 0;  ///< of the filter
+  geometry::Trajectory mean;  ///< mean of the particles at every scan, as it was then
+  geometry::Trajectory path;  ///< of the best particle in the end, a pose at every scan
+  std::size_t updates = 0;    ///< of the filter
   /// Neff / N behind an update, 1 where it resampled (MRPT tells no other); mean and least of all.
   double neff_share_mean = 0;
   double neff_share_min = 0;

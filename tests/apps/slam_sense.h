@@ -3,8 +3,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "ariadne/geometry/pose.h"
+#include "ariadne/geometry/trajectory.h"
 #include "ariadne/io/tum.h"
-#include "ariadne/models/motion_model.h"
 #include "slam_app_fixture.h"
 
 class SlamSense : public SlamApp {
@@ -12,7 +13,7 @@ class SlamSense : public SlamApp {
   nlohmann::json summary(const char* run) const {
     return nlohmann::json::parse(ariadne::io::readWhole(folder / run / "summary.json"));
   }
-  ariadne::models::Trajectory path(const char* run, const char* file = "trajectory.tum") const {
+  ariadne::geometry::Trajectory path(const char* run, const char* file = "trajectory.tum") const {
     return ariadne::io::readTum(folder / run / file);
   }
   static std::size_t countOf(const std::string& text, const std::string& part) {
@@ -21,13 +22,13 @@ class SlamSense : public SlamApp {
     return n;
   }
   /// Largest distance between poses of the two paths, both seen from their first.
-  static double farthest(const ariadne::models::Trajectory& a,
-                         const ariadne::models::Trajectory& b) {
+  static double farthest(const ariadne::geometry::Trajectory& a,
+                         const ariadne::geometry::Trajectory& b) {
     EXPECT_EQ(a.size(), b.size());
     double worst = 0;
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
-      const auto p = ariadne::models::relativePose(a[0].pose, a[i].pose);
-      const auto q = ariadne::models::relativePose(b[0].pose, b[i].pose);
+      const auto p = ariadne::geometry::relativePose(a[0].pose, a[i].pose);
+      const auto q = ariadne::geometry::relativePose(b[0].pose, b[i].pose);
       worst = std::max(worst, std::hypot(p.x - q.x, p.y - q.y));
     }
     return worst;

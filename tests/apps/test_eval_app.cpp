@@ -2,9 +2,9 @@
 #include <sstream>
 
 #include "../io/temporary_folder.h"
+#include "ariadne/geometry/pose.h"
 #include "ariadne/io/tum.h"
 #include "ariadne/io/whole_file.h"
-#include "ariadne/models/motion_model.h"
 #include "eval_app.h"
 
 namespace fs = std::filesystem;
@@ -21,14 +21,14 @@ class EvalApp : public TemporaryFolder {
   /// An arc of 40 poses; the estimate lies elsewhere and is `error` m off to its side at every
   /// other.
   void writeArc(double error) {
-    models::Trajectory truth;
-    models::Trajectory estimate;
+    geometry::Trajectory truth;
+    geometry::Trajectory estimate;
     for (int i = 0; i < 40; ++i) {
       const mrpt::math::TPose2D pose(5 * std::cos(0.1 * i), 5 * std::sin(0.1 * i), 0.1 * i);
       truth.push_back({100.0 + i, pose});
       estimate.push_back(
           {100.0 + i,
-           models::compose({7, 8, 1}, models::compose(pose, {i % 2 ? error : -error, 0, 0}))});
+           geometry::compose({7, 8, 1}, geometry::compose(pose, {i % 2 ? error : -error, 0, 0}))});
     }
     io::writeTum(path("truth.tum"), truth);
     io::writeTum(path("estimate.tum"), estimate);
@@ -46,8 +46,8 @@ TEST_F(EvalApp, FindsTheKnownError) {
 }
 
 TEST_F(EvalApp, FindsTheErrorAcrossALoop) {
-  models::Trajectory truth;
-  models::Trajectory estimate;
+  geometry::Trajectory truth;
+  geometry::Trajectory estimate;
   for (int i = 0; i < 160; ++i) {  // twice round; the estimate's second lap is 0.4 m off
     const mrpt::math::TPose2D pose(5 * std::cos(0.1 * i), 5 * std::sin(0.1 * i), 0.1 * i);
     truth.push_back({100.0 + i, pose});

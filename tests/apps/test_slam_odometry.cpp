@@ -1,5 +1,6 @@
 // Odometry that jumps or never moves, and scans that show nothing: what a run makes of them, and
 // what it says.
+#include "ariadne/geometry/pose.h"
 #include "slam_sense.h"
 
 using namespace ariadne;
@@ -10,7 +11,7 @@ namespace {
 /// Counted from (0, 0, 0) from this scan on.
 std::function<TPose2D(int, const TPose2D&)> resetAt(int scan) {
   return [=](int i, const TPose2D& p) {
-    return i < scan ? p : models::relativePose(room_log::pose(scan), p);
+    return i < scan ? p : geometry::relativePose(room_log::pose(scan), p);
   };
 }
 
@@ -63,8 +64,8 @@ TEST_F(SlamOdometry, WhereNothingWasSeenThePathIsTheOdometrys) {
   EXPECT_DOUBLE_EQ(summary("blind")["checks"]["blind_scans_share"].get<double>(), 0.5);
   const auto told = path("blind"), odometry = path("blind", "odometry.tum");
   for (std::size_t i = 21; i < 59; ++i) {
-    const auto a = models::relativePose(told[i - 1].pose, told[i].pose);
-    const auto b = models::relativePose(odometry[i - 1].pose, odometry[i].pose);
+    const auto a = geometry::relativePose(told[i - 1].pose, told[i].pose);
+    const auto b = geometry::relativePose(odometry[i - 1].pose, odometry[i].pose);
     EXPECT_NEAR(a.x, b.x, 0.02) << i;
     EXPECT_NEAR(a.y, b.y, 0.02) << i;
   }

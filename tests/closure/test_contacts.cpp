@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "ariadne/closure/contact_book.h"
+#include "ariadne/geometry/pose.h"
 #include "corridor.h"
 
 using namespace ariadne;
@@ -23,7 +24,7 @@ Seen roundAndOn() {
   core::RandomStream rng(1, 0, 0, core::Purpose::test);
   for (std::size_t k = 0; k < poses.size(); ++k) {
     const double way =
-        k == 0 ? 0 : seen.track.travelled_m.back() + closure::distance(poses[k], poses[k - 1]);
+        k == 0 ? 0 : seen.track.travelled_m.back() + geometry::distance(poses[k], poses[k - 1]);
     seen.track.poses.push_back(poses[k]);
     seen.track.travelled_m.push_back(way);
     seen.hits.push_back(grid::scanPoints(world.scan(poses[k], rng), 20));

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "ariadne/closure/finder.h"
-#include "ariadne/models/motion_model.h"
+#include "ariadne/geometry/pose.h"
 #include "corridor.h"
 
 using namespace ariadne;
@@ -46,9 +46,9 @@ std::pair<std::optional<closure::Closure>, std::size_t> firstClosure(double turn
   TPose2D pose = way.truth[0];
   for (std::size_t k = 0; k < way.truth.size(); ++k) {
     if (k > 0) {
-      TPose2D step = models::relativePose(way.truth[k - 1], way.truth[k]);
+      TPose2D step = geometry::relativePose(way.truth[k - 1], way.truth[k]);
       step.phi += turn_deg_per_m * M_PI / 180 * std::hypot(step.x, step.y);
-      pose = models::compose(pose, step);
+      pose = geometry::compose(pose, step);
     }
     leaf = std::make_shared<filter::Ancestor>(leaf, k, pose, 0.0);
     scans.push_back(way.scans[k]);
@@ -63,7 +63,7 @@ TEST(Finder, FindsTheClosureFromMetresAway) {
   const double drift_deg_per_m = 0.08;
   const auto [found, update] = firstClosure(drift_deg_per_m);
   ASSERT_TRUE(found);
-  const auto truth = models::relativePose(walk().truth[found->anchor], walk().truth[update]);
+  const auto truth = geometry::relativePose(walk().truth[found->anchor], walk().truth[update]);
   EXPECT_LT(std::hypot(found->anchor_from_robot.x - truth.x, found->anchor_from_robot.y - truth.y),
             0.2);
   EXPECT_NEAR(found->anchor_from_robot.phi, truth.phi, 0.05);
@@ -78,7 +78,7 @@ TEST(Finder, FindsNothingWhereThePathIsClosedAlready) { EXPECT_FALSE(firstClosur
 TEST(Finder, TakesNoneOfTwoPlacesThatLookAlike) {
   const auto [found, update] = firstClosure(0.08, walkIn(test::CorridorWorld()));
   if (!found) return;
-  const auto truth = models::relativePose(walk().truth[found->anchor], walk().truth[update]);
+  const auto truth = geometry::relativePose(walk().truth[found->anchor], walk().truth[update]);
   EXPECT_LT(std::hypot(found->anchor_from_robot.x - truth.x, found->anchor_from_robot.y - truth.y),
             0.3);
 }

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "ariadne/closure/segment.h"
-#include "ariadne/models/motion_model.h"
+#include "ariadne/geometry/pose.h"
 
 using namespace ariadne;
 using closure::Track;
@@ -36,7 +36,7 @@ Track curve(std::size_t n, double step_m, double turn, const TPose2D& start = {0
     track.poses.push_back(pose);
     track.travelled_m.push_back(step_m * static_cast<double>(k));
     track.motions.emplace_back(step_m, 0, turn);
-    pose = models::compose(pose, {step_m, 0, turn});
+    pose = geometry::compose(pose, {step_m, 0, turn});
   }
   return drifting(track, {});
 }
@@ -60,9 +60,9 @@ TEST(Segment, WithoutAClosureTheWayStaysAsItIs) {
 
 TEST(Segment, StepsThatCannotBeWrongAreNotMoved) {
   const Track track = drifting(curve(60, 0.5, 0.1), {0, 0, 0});
-  const auto relative = models::relativePose(track.poses[0], track.poses[60]);
+  const auto relative = geometry::relativePose(track.poses[0], track.poses[60]);
   const auto mean = closure::drawSegment(
-      track, 0, {tie(0, 60, models::compose(relative, {1, 0, 0}), 0.05)}, nullptr);
+      track, 0, {tie(0, 60, geometry::compose(relative, {1, 0, 0}), 0.05)}, nullptr);
   // 1 mm a metre is left to them so that the chain is never singular; the closure asks for 1 m.
   EXPECT_LT(off(mean.poses.back(), track.poses[60]), 0.05);
   EXPECT_GT(mean.cost, 50);
@@ -80,14 +80,14 @@ TEST(Segment, EndsWhereTheClosureSaysAndSpreadsTheErrorOverTheWay) {
 TEST(Segment, WhatIsClosedAlreadyStaysClosed) {
   // Update 80 came back to update 20; the closure of the end with the beginning must not open that.
   const Track track = curve(120, 0.5, 2 * M_PI / 60);
-  const auto held = models::relativePose(track.poses[20], track.poses[80]);
-  const auto end =
-      models::compose(models::relativePose(track.poses[0], track.poses[120]), TPose2D(0.8, 0.4, 0));
+  const auto held = geometry::relativePose(track.poses[20], track.poses[80]);
+  const auto end = geometry::compose(geometry::relativePose(track.poses[0], track.poses[120]),
+                                     TPose2D(0.8, 0.4, 0));
   const auto mean =
       closure::drawSegment(track, 0, {tie(20, 80, held, 0.02), tie(0, 120, end, 0.05)}, nullptr);
-  const auto after = models::relativePose(mean.poses[19], mean.poses[79]);
+  const auto after = geometry::relativePose(mean.poses[19], mean.poses[79]);
   EXPECT_LT(off(after, held), 0.05);
-  EXPECT_LT(off(models::relativePose(track.poses[0], mean.poses[119]), end), 0.1);
+  EXPECT_LT(off(geometry::relativePose(track.poses[0], mean.poses[119]), end), 0.1);
 }
 
 TEST(Segment, ARigidMotionOfAllChangesNothing) {
@@ -95,12 +95,12 @@ TEST(Segment, ARigidMotionOfAllChangesNothing) {
   const Track a = curve(80, 0.4, 0.05);
   const Track b = curve(80, 0.4, 0.05, moved);
   const auto relative =
-      models::compose(models::relativePose(a.poses[0], a.poses[80]), {0.5, -0.3, 0.1});
+      geometry::compose(geometry::relativePose(a.poses[0], a.poses[80]), {0.5, -0.3, 0.1});
   core::RandomStream rng_a(1, 2, 3, core::Purpose::test), rng_b(1, 2, 3, core::Purpose::test);
   const auto sample_a = closure::drawSegment(a, 0, {tie(0, 80, relative, 0.05)}, &rng_a);
   const auto sample_b = closure::drawSegment(b, 0, {tie(0, 80, relative, 0.05)}, &rng_b);
   for (std::size_t k = 0; k < sample_a.poses.size(); ++k)
-    EXPECT_LT(off(models::compose(moved, sample_a.poses[k]), sample_b.poses[k]), 1e-6);
+    EXPECT_LT(off(geometry::compose(moved, sample_a.poses[k]), sample_b.poses[k]), 1e-6);
 }
 
 // A straight way with noise along alone and both ends known is a Brownian bridge: its middle has a

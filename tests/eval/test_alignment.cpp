@@ -4,20 +4,20 @@
 
 #include "ariadne/core/random.h"
 #include "ariadne/eval/alignment.h"
-#include "ariadne/models/motion_model.h"
+#include "ariadne/geometry/pose.h"
 
 using namespace ariadne;
 using mrpt::math::TPose2D;
 
 namespace {
 
-models::Trajectory wander(int n) {
+geometry::Trajectory wander(int n) {
   core::RandomStream rng(1, 0, 0, core::Purpose::test);
-  models::Trajectory path;
+  geometry::Trajectory path;
   TPose2D pose;
   for (int i = 0; i < n; ++i) {
     path.push_back({10.0 + i, pose});
-    pose = models::compose(pose, {rng.uniform(), 0, rng.gaussian()});
+    pose = geometry::compose(pose, {rng.uniform(), 0, rng.gaussian()});
   }
   return path;
 }
@@ -25,7 +25,7 @@ models::Trajectory wander(int n) {
 }  // namespace
 
 TEST(Associate, InterpolatesBetweenStampsAndTurnsTheShortWay) {
-  const models::Trajectory estimate{{0, {0, 0, 3.1}}, {2, {4, 2, -3.1}}};
+  const geometry::Trajectory estimate{{0, {0, 0, 3.1}}, {2, {4, 2, -3.1}}};
   const auto pairs = eval::associate(estimate, {{1, {0, 0, 0}}}, 5);
   ASSERT_EQ(pairs.size(), 1U);
   EXPECT_NEAR(pairs[0].estimate.x, 2, 1e-12);
@@ -33,8 +33,8 @@ TEST(Associate, InterpolatesBetweenStampsAndTurnsTheShortWay) {
 }
 
 TEST(Associate, LeavesOutWhatHasNoPartner) {
-  const models::Trajectory estimate{{0, {}}, {1, {}}, {10, {}}, {11, {}}};
-  const models::Trajectory truth{{-3, {}}, {-0.4, {}}, {0.5, {}}, {5, {}}, {10, {}}, {12, {}}};
+  const geometry::Trajectory estimate{{0, {}}, {1, {}}, {10, {}}, {11, {}}};
+  const geometry::Trajectory truth{{-3, {}}, {-0.4, {}}, {0.5, {}}, {5, {}}, {10, {}}, {12, {}}};
   EXPECT_EQ(eval::associate(estimate, truth, 1).size(), 3U);
   EXPECT_TRUE(eval::associate({}, truth, 1).empty());
   EXPECT_TRUE(eval::associate(estimate, {}, 1).empty());
@@ -44,9 +44,9 @@ TEST(Associate, LeavesOutWhatHasNoPartner) {
 TEST(Align, FindsTheRigidMotion) {
   const auto truth = wander(50);
   const TPose2D truth_from_estimate(3, -4, 2.2);
-  models::Trajectory estimate;
+  geometry::Trajectory estimate;
   for (const auto& t : truth)
-    estimate.push_back({t.time_s, models::relativePose(truth_from_estimate, t.pose)});
+    estimate.push_back({t.time_s, geometry::relativePose(truth_from_estimate, t.pose)});
   const auto found = eval::align(eval::associate(estimate, truth, 1));
   EXPECT_NEAR(found.x, 3, 1e-9);
   EXPECT_NEAR(found.y, -4, 1e-9);
@@ -56,7 +56,7 @@ TEST(Align, FindsTheRigidMotion) {
 TEST(Align, OnePoseOrNoneIsFine) {
   EXPECT_EQ(eval::align({}).x, 0);
   const auto found = eval::align({{0, {1, 2, 0.5}, {3, 4, 1.0}}});
-  const auto laid = models::compose(found, {1, 2, 0.5});
+  const auto laid = geometry::compose(found, {1, 2, 0.5});
   EXPECT_NEAR(laid.x, 3, 1e-12);
   EXPECT_NEAR(laid.y, 4, 1e-12);
   EXPECT_NEAR(laid.phi, 1, 1e-12);
@@ -73,7 +73,7 @@ TEST(Align, NothingNearbyIsBetter) {
   const auto cost = [&](const TPose2D& m) {
     double sum = 0;
     for (const auto& p : pairs) {
-      const auto q = models::compose(m, p.estimate);
+      const auto q = geometry::compose(m, p.estimate);
       sum += std::pow(q.x - p.truth.x, 2) + std::pow(q.y - p.truth.y, 2);
     }
     return sum;

@@ -12,9 +12,9 @@
 #include "ariadne/eval/neff.h"
 
 using namespace ariadne;
-using eval::WeightedPoses;
 using filter::Ancestor;
 using filter::AncestorPtr;
+using geometry::WeightedPoses;
 
 namespace {
 

@@ -3,22 +3,22 @@
 #include <cmath>
 
 #include "ariadne/eval/loop_errors.h"
-#include "ariadne/models/motion_model.h"
+#include "ariadne/geometry/pose.h"
 
 using namespace ariadne;
 
 namespace {
 
 /// Twice round a square of 20 m, a pose every 0.2 m.
-models::Trajectory square() {
-  models::Trajectory path;
+geometry::Trajectory square() {
+  geometry::Trajectory path;
   for (int i = 0; i < 800; ++i) {
     const double s = 0.2 * (i % 400);
     const int side = static_cast<int>(s / 20);
     const double u = s - 20 * side;
     const mrpt::math::TPose2D corner[] = {
         {0, 0, 0}, {20, 0, M_PI / 2}, {20, 20, M_PI}, {0, 20, -M_PI / 2}};
-    path.push_back({0.1 * i, models::compose(corner[side], {u, 0, 0})});
+    path.push_back({0.1 * i, geometry::compose(corner[side], {u, 0, 0})});
   }
   return path;
 }
@@ -27,8 +27,8 @@ models::Trajectory square() {
 
 TEST(LoopErrors, APerfectPathIsCorrectInAnyFrame) {
   const auto truth = square();
-  models::Trajectory moved;
-  for (const auto& p : truth) moved.push_back({p.time_s, models::compose({5, -3, 1}, p.pose)});
+  geometry::Trajectory moved;
+  for (const auto& p : truth) moved.push_back({p.time_s, geometry::compose({5, -3, 1}, p.pose)});
   const auto errors = eval::loopErrors(moved, truth, 0);
   EXPECT_GT(errors.closures.size(), 50U);
   EXPECT_NEAR(errors.worst_translation.translation_m, 0, 1e-9);
@@ -58,7 +58,7 @@ TEST(LoopErrors, TheClosuresAreThoseOfBruteForce) {
 }
 
 TEST(LoopErrors, APathWithoutALoopHasNoClosure) {
-  models::Trajectory line;
+  geometry::Trajectory line;
   for (int i = 0; i < 300; ++i) line.push_back({0.1 * i, {0.2 * i, 0, 0}});
   const auto errors = eval::loopErrors(line, line, 0);
   EXPECT_TRUE(errors.closures.empty());

@@ -8,8 +8,8 @@ using namespace ariadne;
 namespace {
 
 /// Thrice round a square of 10 m, then 15 m straight away from it; poses only at the corners.
-models::Trajectory rounds() {
-  models::Trajectory path;
+geometry::Trajectory rounds() {
+  geometry::Trajectory path;
   const mrpt::math::TPose2D corners[] = {{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}};
   for (int i = 0; i <= 12; ++i) path.push_back({10.0 * i, corners[i % 4]});
   path.push_back({135, {-15, 0, 0}});
@@ -31,7 +31,7 @@ TEST(PathPasses, RoundsAreCountedAlongTheWay) {
 }
 
 TEST(PathPasses, StandingIsOnePassAndTooShortALoopIsNone) {
-  models::Trajectory path = rounds();
+  geometry::Trajectory path = rounds();
   path.insert(path.begin() + 1, {5, {0.05, 0, 0}});
   path.insert(path.begin() + 2, {6, {0, 0, 0}});
   EXPECT_EQ(eval::pointAt(eval::pathPasses(path), 45).passes, 1U);

@@ -7,13 +7,13 @@
 #include "ariadne/core/error.h"
 #include "ariadne/core/random.h"
 #include "ariadne/eval/relations.h"
+#include "ariadne/geometry/pose.h"
 #include "ariadne/io/relations.h"
 #include "ariadne/io/tum.h"
-#include "ariadne/models/motion_model.h"
 
 namespace fs = std::filesystem;
 using namespace ariadne;
-using models::Relation;
+using geometry::Relation;
 
 namespace {
 
@@ -44,7 +44,7 @@ fs::path datasets() {
 }  // namespace
 
 TEST(Relations, KnownErrorsAreFound) {
-  const models::Trajectory path{{0, {5, 5, 1}}, {1, models::compose({5, 5, 1}, {2, 0.3, 0.1})}};
+  const geometry::Trajectory path{{0, {5, 5, 1}}, {1, geometry::compose({5, 5, 1}, {2, 0.3, 0.1})}};
   const auto errors = eval::relationErrors(path, {{0, 1, {2, 0, 0}}, {0, 7, {1, 1, 1}}}, 0);
   ASSERT_EQ(errors.translation_m.size(), 1U);
   EXPECT_NEAR(errors.translation_m[0], 0.3, 1e-12);
@@ -54,9 +54,9 @@ TEST(Relations, KnownErrorsAreFound) {
 
 TEST(Relations, ARigidMotionOfTheTrajectoryChangesNothing) {
   const std::vector<Relation> relations{{0, 2, {1, 0.2, 0.4}}, {2, 0, {-1, 0, 0}}};
-  models::Trajectory path{{0, {0, 0, 0}}, {2, {1.1, 0.1, 0.5}}};
+  geometry::Trajectory path{{0, {0, 0, 0}}, {2, {1.1, 0.1, 0.5}}};
   const auto before = eval::relationErrors(path, relations, 0);
-  for (auto& p : path) p.pose = models::compose({30, -2, 2}, p.pose);
+  for (auto& p : path) p.pose = geometry::compose({30, -2, 2}, p.pose);
   const auto after = eval::relationErrors(path, relations, 0);
   for (std::size_t i = 0; i < 2; ++i)
     EXPECT_NEAR(before.translation_m[i], after.translation_m[i], 1e-9);

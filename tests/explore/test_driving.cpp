@@ -7,7 +7,7 @@
 #include "ariadne/explore/loop_route.h"
 #include "ariadne/explore/route_follower.h"
 #include "ariadne/explore/strategy.h"
-#include "ariadne/models/motion_model.h"
+#include "ariadne/geometry/pose.h"
 
 using namespace ariadne;
 using explore::ExploreParams;
@@ -59,7 +59,7 @@ TEST(RouteFollower, StaysOnTheRouteAndStopsAtItsEnd) {
     const auto c = follower.command(robot);
     EXPECT_LE(c.forward_m_s, params.speed_m_s);
     EXPECT_LE(std::abs(c.turn_rad_s), params.turn_deg_s * M_PI / 180 + 1e-9);
-    robot = models::compose(robot, {c.forward_m_s * 0.2, 0, c.turn_rad_s * 0.2});
+    robot = geometry::compose(robot, {c.forward_m_s * 0.2, 0, c.turn_rad_s * 0.2});
     double off = 1e9;
     for (const TPoint2D& p : follower.route())
       off = std::min(off, std::hypot(p.x - robot.x, p.y - robot.y));

@@ -11,6 +11,7 @@
 
 #include "ariadne/filter/particle_set.h"
 #include "ariadne/filter/residual.h"
+#include "ariadne/geometry/pose.h"
 #include "room.h"
 
 using namespace ariadne;
@@ -29,7 +30,7 @@ struct Drive {
   }
   void step() {
     const TPose2D increment(0.25, 0, 0.25);
-    truth = models::compose(truth, increment);
+    truth = geometry::compose(truth, increment);
     mrpt::obs::CActionRobotMovement2D movement;
     movement.poseChange.get_ptr() =
         mrpt::poses::CPosePDFGaussian::Create(mrpt::poses::CPose2D(0.26, 0.01, 0.24));
@@ -90,10 +91,10 @@ TEST(ParticleSet, EveryProposalFollowsTheRobot) {
     Drive drive(modelsWith(proposal, 30));
     for (int i = 0; i < 12; ++i) drive.step();
     // The first update is where the map begins: all else is relative to it.
-    const TPose2D first = models::compose(TPose2D(-1, -0.8, 0), {0.25, 0, 0.25});
-    const TPose2D moved = models::relativePose(first, drive.truth);
+    const TPose2D first = geometry::compose(TPose2D(-1, -0.8, 0), {0.25, 0, 0.25});
+    const TPose2D moved = geometry::relativePose(first, drive.truth);
     const TPose2D start(0.26, 0.01, 0.24);
-    const TPose2D expected = models::compose(start, moved);
+    const TPose2D expected = geometry::compose(start, moved);
     const TPose2D pose = drive.set[drive.set.best()].map_from_robot;
     // By odometry alone it would be 0.3 m off; blind sampling keeps a few centimetres of noise.
     const double bound = proposal == filter::Proposal::odometry ? 0.2 : 0.05;

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "ariadne/filter/recent_scans.h"
-#include "ariadne/models/motion_model.h"
+#include "ariadne/geometry/pose.h"
 #include "room.h"
 
 using namespace ariadne;
@@ -21,7 +21,7 @@ struct ShortDrive {
       leaf = std::make_shared<filter::Ancestor>(leaf, k, pose, 0.0);
       recent.add(k, grid::makeScanShape(*test::scanIn(world, pose), {}), 0.3);
     }
-    truth = models::compose(leaf->pose(), {0.3, 0, 0.05});
+    truth = geometry::compose(leaf->pose(), {0.3, 0, 0.05});
     points = grid::scanFeatures(*test::scanIn(world, truth), 40);
   }
   /// The room as a robot had it that came by it with an error.
@@ -29,7 +29,7 @@ struct ShortDrive {
     grid::OccupancyGrid map((grid::GridParams()));
     for (int i = 0; i < 6; ++i) {
       const TPose2D pose(0.3 * i - 1, 0.2 * i - 0.8, i * M_PI / 3);
-      map.insert(grid::makeScanShape(*test::scanIn(world, pose), {}), models::compose(by, pose));
+      map.insert(grid::makeScanShape(*test::scanIn(world, pose), {}), geometry::compose(by, pose));
     }
     return map;
   }
@@ -70,7 +70,7 @@ TEST(RecentScans, NeverWithoutSigmas) {
 
 TEST(RecentScans, ARobotWhoseWheelsSlippedIsWhereBothMapsHaveIt) {
   const ShortDrive drive;
-  const TPose2D slipped = models::compose(drive.truth, {0.35, 0.1, 0});
+  const TPose2D slipped = geometry::compose(drive.truth, {0.35, 0.1, 0});
   const auto match = drive.settled(drive.roomOff({}), slipped);
   EXPECT_LT(offBy(match.map_from_robot, drive.truth), kMatched_m);
 }
@@ -78,7 +78,7 @@ TEST(RecentScans, ARobotWhoseWheelsSlippedIsWhereBothMapsHaveIt) {
 TEST(RecentScans, AKnownMapIsBelievedWhereNothingWasSeenLately) {
   ShortDrive drive;
   drive.leaf = nullptr;
-  const TPose2D slipped = models::compose(drive.truth, {0.35, 0.1, 0});
+  const TPose2D slipped = geometry::compose(drive.truth, {0.35, 0.1, 0});
   const auto match = drive.settled(drive.roomOff({}), slipped);
   EXPECT_LT(offBy(match.map_from_robot, drive.truth), kMatched_m);
 }

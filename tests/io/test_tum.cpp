@@ -25,7 +25,7 @@ class Tum : public TemporaryFolder {
 };
 
 TEST_F(Tum, ReadsBackWhatWasWritten) {
-  ariadne::models::Trajectory path;
+  ariadne::geometry::Trajectory path;
   for (int i = 0; i < 50; ++i)
     path.push_back({1134863809.123457 + 0.213 * i, {0.1 * i, -0.02 * i * i, std::sin(0.3 * i)}});
   writeTum(folder / "t.tum", path, {"map_from_robot", "second line"});

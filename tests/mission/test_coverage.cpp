@@ -32,7 +32,7 @@ bool reaches(const sim::World& world, double x_over) {
 
 double shareSeenFrom(const sim::World& world, const std::vector<mrpt::math::TPose2D>& poses) {
   std::vector<models::SensorStep> steps;
-  models::Trajectory truth;
+  geometry::Trajectory truth;
   sim::Senses senses({0, 0, 0, 0, 0}, 1);
   for (const auto& pose : poses) {
     truth.push_back({static_cast<double>(steps.size()), pose});

@@ -2,19 +2,11 @@
 
 #include <cmath>
 
+#include "ariadne/geometry/covariance.h"
 #include "ariadne/models/motion_model.h"
 
 using namespace ariadne;
 using mrpt::math::TPose2D;
-
-TEST(Poses, RelativeUndoesCompose) {
-  const TPose2D a(1, -2, 2.5);
-  const TPose2D b(0.4, 0.7, 1.9);
-  const TPose2D c = models::relativePose(a, models::compose(a, b));
-  EXPECT_NEAR(c.x, b.x, 1e-12);
-  EXPECT_NEAR(c.y, b.y, 1e-12);
-  EXPECT_NEAR(c.phi, b.phi, 1e-12);
-}
 
 // N = 20000: the standard error of a variance is 1 % of it; the bound is 5 of them.
 TEST(Motion, SamplesHaveTheStatedCovariance) {
@@ -104,8 +96,8 @@ TEST(Motion, ComposedCovarianceIsThatOfBoth) {
   const models::MotionParams params;
   const models::Motion first({0.3, 0.1, 0.2}, params), second({0.4, 0, -0.1}, params);
   const TPose2D start(0, 0, 0), between = first.mean(start);
-  const auto expected = models::composedCovariance(between, first.covariance(start), {0.4, 0, -0.1},
-                                                   second.covariance(start));
+  const auto expected = geometry::composedCovariance(between, first.covariance(start),
+                                                     {0.4, 0, -0.1}, second.covariance(start));
   const auto drawn = sampleCovariance(20000, second.mean(between), [&](int i) {
     auto rng = streamOf(i, 1);
     auto other = streamOf(i, 2);

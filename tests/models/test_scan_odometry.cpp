@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "ariadne/geometry/pose.h"
 #include "ariadne/models/scan_odometry.h"
 #include "slam/drive.h"
 
@@ -12,7 +13,7 @@ namespace {
 
 /// How far a pose is from the truth, both seen from the first, m.
 double errorOf(const TPose2D& pose, const test::RecordedDrive& drive, std::size_t step) {
-  const auto truth = models::relativePose(drive.truth[0], drive.truth[step]);
+  const auto truth = geometry::relativePose(drive.truth[0], drive.truth[step]);
   return std::hypot(pose.x - truth.x, pose.y - truth.y);
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "ariadne/filter/particle_set.h"
+#include "ariadne/geometry/pose.h"
 #include "ariadne/recovery/recover.h"
 #include "ariadne/topology/place_graph.h"
 #include "room.h"
@@ -38,7 +39,7 @@ struct FilterDrive {
   }
   void step() {
     const mrpt::math::TPose2D increment(0.25, 0, 0.25);
-    truth = models::compose(truth, increment);
+    truth = geometry::compose(truth, increment);
     mrpt::obs::CActionRobotMovement2D movement;
     movement.poseChange.get_ptr() =
         mrpt::poses::CPosePDFGaussian::Create(mrpt::poses::CPose2D(0.26, 0.01, 0.24));

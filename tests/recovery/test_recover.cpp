@@ -4,6 +4,7 @@
 #include <numeric>
 #include <set>
 
+#include "ariadne/geometry/pose.h"
 #include "ariadne/grid/tile_pool.h"
 #include "filter_drive.h"
 
@@ -79,8 +80,8 @@ TEST(Recovery, EntriesKeepTheirPastAndGetTheMotionOfTheirSource) {
       return a.step() > te;
     });
     for (std::size_t k = te + 1; k < mine.size(); ++k)
-      expectSamePose(models::relativePose(mine[te], mine[k]),
-                     models::relativePose(source[te], source[k]), 1e-9);
+      expectSamePose(geometry::relativePose(mine[te], mine[k]),
+                     geometry::relativePose(source[te], source[k]), 1e-9);
     EXPECT_NEAR(p.accumulated(), saved.entries[e].at_te->accumulated() + increments, 1e-9);
     EXPECT_EQ(out.graphs[e].visits().size(), 50U);
   }

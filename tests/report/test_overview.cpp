@@ -9,7 +9,7 @@
 #include "ariadne/report/overview.h"
 
 namespace fs = std::filesystem;
-using ariadne::models::Trajectory;
+using ariadne::geometry::Trajectory;
 using ariadne::report::writeOverview;
 using Grid = mrpt::maps::COccupancyGridMap2D;
 

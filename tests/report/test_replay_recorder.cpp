@@ -136,7 +136,7 @@ TEST(ReplayTruth, GivesPoseAndErrorWhereThereIsOne) {
   for (int i = 0; i < 10; ++i) run.update(recorder, 1);
   report::Replay replay = recorder.finish(run.view());
   // The truth's frame is turned by 90 degrees and 1 m off; 0.5 m of error; ends after five updates.
-  models::Trajectory truth;
+  geometry::Trajectory truth;
   for (int i = 0; i < 5; ++i) {
     const auto& p = replay.steps[i].map_from_robot;
     truth.push_back({replay.steps[i].time_s, {p.y, -(p.x - 1) - 0.5, p.phi - M_PI / 2}});

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "ariadne/core/random.h"
-#include "ariadne/models/motion_model.h"
+#include "ariadne/geometry/pose.h"
 #include "ariadne/models/sensor_step.h"
 #include "room.h"
 
@@ -24,9 +24,9 @@ inline RecordedDrive ovalDrive(int steps, std::uint64_t seed = 1) {
   for (int i = 0; i < steps; ++i) {
     if (i > 0) {
       const double turn = i % 50 < 25 ? 0 : M_PI / 25;
-      truth = models::compose(truth, {0.1, 0, turn});
-      odom = models::compose(odom, {0.102 + 0.002 * rng.gaussian(), 0.001 * rng.gaussian(),
-                                    1.03 * turn + 0.003 * rng.gaussian()});
+      truth = geometry::compose(truth, {0.1, 0, turn});
+      odom = geometry::compose(odom, {0.102 + 0.002 * rng.gaussian(), 0.001 * rng.gaussian(),
+                                      1.03 * turn + 0.003 * rng.gaussian()});
     }
     drive.truth.push_back(truth);
     drive.steps.push_back({1000 + 0.2 * i, odom, scanIn(world, truth)});

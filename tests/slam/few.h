@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "ariadne/models/motion_model.h"
-#include "ariadne/models/stamped_pose.h"
+#include "ariadne/geometry/pose.h"
+#include "ariadne/geometry/trajectory.h"
 #include "ariadne/slam/mapper.h"
 
 namespace ariadne::test {
@@ -17,12 +17,12 @@ inline slam::SlamParams few(int particles = 8) {
 }
 
 /// Largest distance between the path and the truth, both seen from their first pose, m.
-inline double worstError(const models::Trajectory& path,
+inline double worstError(const geometry::Trajectory& path,
                          const std::vector<mrpt::math::TPose2D>& truth) {
   double worst = 0;
   for (std::size_t i = 0; i < path.size(); ++i) {
-    const auto a = models::relativePose(path[0].pose, path[i].pose);
-    const auto b = models::relativePose(truth[0], truth[i]);
+    const auto a = geometry::relativePose(path[0].pose, path[i].pose);
+    const auto b = geometry::relativePose(truth[0], truth[i]);
     worst = std::max(worst, std::hypot(a.x - b.x, a.y - b.y));
   }
   return worst;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "ariadne/models/motion_model.h"
+#include "ariadne/geometry/pose.h"
 #include "ariadne/slam/mapper.h"
 #include "corridor.h"
 
@@ -31,9 +31,9 @@ const Way& drifting() {
     TPose2D odom = way.truth[0];
     for (std::size_t k = 0; k < way.truth.size(); ++k) {
       if (k > 0) {
-        TPose2D step = models::relativePose(way.truth[k - 1], way.truth[k]);
+        TPose2D step = geometry::relativePose(way.truth[k - 1], way.truth[k]);
         step.phi += 0.08 * M_PI / 180 * std::hypot(step.x, step.y);
-        odom = models::compose(odom, step);
+        odom = geometry::compose(odom, step);
       }
       way.steps.push_back(
           {1000.0 + static_cast<double>(k), odom,
@@ -60,8 +60,8 @@ SlamParams believing(bool search) {
 double errorAcrossTheLoop(const Mapper& mapper) {
   const auto path = mapper.path();
   const std::size_t last = path.size() - 1, before = last - (drifting().steps.size() - kOn);
-  const auto found = models::relativePose(path[before].pose, path[last].pose);
-  const auto truth = models::relativePose(drifting().truth[before], drifting().truth[last]);
+  const auto found = geometry::relativePose(path[before].pose, path[last].pose);
+  const auto truth = geometry::relativePose(drifting().truth[before], drifting().truth[last]);
   return std::hypot(found.x - truth.x, found.y - truth.y);
 }
 

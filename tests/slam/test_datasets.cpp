@@ -24,14 +24,14 @@ fs::path datasets() {
   return fs::path(source ? source : ".") / "../shared/datasets";
 }
 
-models::Trajectory pathOf(const fs::path& log) {
+geometry::Trajectory pathOf(const fs::path& log) {
   slam::Mapper mapper({}, 0);
   const auto source = io::openDataset(log);
   while (const auto step = source->next()) mapper.process(*step);
   return mapper.path();
 }
 
-double ateOf(const models::Trajectory& path, const fs::path& truth) {
+double ateOf(const geometry::Trajectory& path, const fs::path& truth) {
   const auto pairs = eval::associate(path, io::readTum(truth), 1);
   return eval::figuresOf(eval::absoluteErrors(pairs, eval::align(pairs))).rmse;
 }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "ariadne/geometry/pose.h"
 #include "ariadne/slam/mapper.h"
 #include "drive.h"
 #include "few.h"
@@ -20,7 +21,7 @@ void jump(test::RecordedDrive& drive, std::size_t at, const TPose2D& to) {
   const TPose2D from = drive.steps[at].odom_from_robot;
   for (std::size_t i = at; i < drive.steps.size(); ++i) {
     TPose2D& odom = drive.steps[i].odom_from_robot;
-    odom = models::compose(to, models::relativePose(from, odom));
+    odom = geometry::compose(to, geometry::relativePose(from, odom));
   }
   drive.steps[at].odometry_jumped = true;
 }
@@ -101,8 +102,8 @@ TEST(Doubt, BlindScansFollowTheOdometry) {
   // Between its ends the path is the odometry's, but for what the scan behind it corrected.
   for (std::size_t i = 61; i < 139; ++i) {
     const auto by_odometry =
-        models::relativePose(drive.steps[i - 1].odom_from_robot, drive.steps[i].odom_from_robot);
-    const auto told = models::relativePose(path[i - 1].pose, path[i].pose);
+        geometry::relativePose(drive.steps[i - 1].odom_from_robot, drive.steps[i].odom_from_robot);
+    const auto told = geometry::relativePose(path[i - 1].pose, path[i].pose);
     EXPECT_NEAR(told.x, by_odometry.x, 0.03) << i;
     EXPECT_NEAR(told.phi, by_odometry.phi, 0.03) << i;
   }

@@ -8,7 +8,7 @@
 #include <mrpt/poses/CPosePDFGaussian.h>
 #include <mrpt/random/RandomGenerators.h>
 
-#include "ariadne/models/motion_model.h"
+#include "ariadne/geometry/pose.h"
 #include "ariadne/slam/loop_closer.h"
 #include "corridor.h"
 #include "set_figures.h"
@@ -68,7 +68,7 @@ class Drive {
     scans.push_back(mrpt::obs::CObservation2DRangeScan::Create(world.scan(pose, rng)));
     mrpt::obs::CActionRobotMovement2D movement;
     movement.poseChange.get_ptr() = mrpt::poses::CPosePDFGaussian::Create(mrpt::poses::CPose2D(
-        k == 0 ? TPose2D() : models::relativePose(poses[(k - 1) % kLap], pose)));
+        k == 0 ? TPose2D() : geometry::relativePose(poses[(k - 1) % kLap], pose)));
     mrpt::obs::CActionCollection action;
     action.insert(movement);
     mrpt::obs::CSensoryFrame frame;

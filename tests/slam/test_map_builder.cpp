@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+#include "ariadne/geometry/pose.h"
 #include "ariadne/slam/rbpf_map_builder.h"
 #include "drive.h"
 
@@ -62,7 +63,7 @@ void feed(mrpt::slam::CMetricMapBuilder& builder, const test::RecordedDrive& dri
   for (const auto& step : drive.steps) {
     mrpt::obs::CActionRobotMovement2D movement;
     movement.poseChange.get_ptr() = mrpt::poses::CPosePDFGaussian::Create(
-        mrpt::poses::CPose2D(models::relativePose(last, step.odom_from_robot)));
+        mrpt::poses::CPose2D(geometry::relativePose(last, step.odom_from_robot)));
     last = step.odom_from_robot;
     mrpt::obs::CActionCollection action;
     action.insert(movement);

@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "ariadne/core/error.h"
+#include "ariadne/geometry/pose.h"
 #include "ariadne/slam/mapper.h"
 #include "drive.h"
 #include "few.h"
@@ -17,7 +18,7 @@ using test::worstError;
 TEST(Mapper, HoldsTheOvalWhereOdometryDoesNot) {
   const auto drive = test::ovalDrive(200);
   Mapper mapper(few(), 1);
-  models::Trajectory odometry;
+  geometry::Trajectory odometry;
   for (const auto& step : drive.steps) {
     mapper.process(step);
     odometry.push_back({step.time_s, step.odom_from_robot});
@@ -39,8 +40,8 @@ TEST(Mapper, MappersInOtherThreadsChangeNothing) {
     for (const auto& step : drive.steps) mapper.process(step);
     return mapper.path();
   };
-  const std::vector<models::Trajectory> alone = {mapped(1), mapped(2)};
-  std::vector<models::Trajectory> together(2);
+  const std::vector<geometry::Trajectory> alone = {mapped(1), mapped(2)};
+  std::vector<geometry::Trajectory> together(2);
   std::thread beside([&] { together[1] = mapped(2); });
   together[0] = mapped(1);
   beside.join();
@@ -158,7 +159,7 @@ TEST(Mapper, GoesOnInAKnownMap) {
   Mapper second(few(), 1, first.simpleMap(), first.path().back().pose);
   for (std::size_t i = 99; i < 120; ++i) second.process(drive.steps[i]);
   EXPECT_EQ(second.simpleMap().size(), first.updates() + second.updates());
-  const auto moved = models::relativePose(drive.truth[0], drive.truth[119]);
-  const auto pose = models::relativePose(first.path()[0].pose, second.path().back().pose);
+  const auto moved = geometry::relativePose(drive.truth[0], drive.truth[119]);
+  const auto pose = geometry::relativePose(first.path()[0].pose, second.path().back().pose);
   EXPECT_LT(std::hypot(pose.x - moved.x, pose.y - moved.y), 0.1);
 }

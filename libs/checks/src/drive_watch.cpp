@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "ariadne/geometry/pose.h"
 #include "ariadne/grid/scan_shape.h"
-#include "ariadne/models/motion_model.h"
 
 namespace ariadne::checks {
 namespace {
@@ -29,10 +29,9 @@ void DriveWatch::add(const models::SensorStep& step) {
   const bool first = figures_.scans++ == 0;
   figures_.blind_scans += grid::isBlind(*step.scan, grid_, least_returns_);
   if (!first && !step.odometry_jumped)
-    figures_.odometry_m +=
-        std::hypot(step.odom_from_robot.x - last_.x, step.odom_from_robot.y - last_.y);
+    figures_.odometry_m += geometry::distance(step.odom_from_robot, last_);
   last_ = step.odom_from_robot;
-  const auto way = models::relativePose(stand_, step.odom_from_robot);
+  const auto way = geometry::relativePose(stand_, step.odom_from_robot);
   if (first || !within(way, kStill_m, kStill_rad)) {
     stand_ = step.odom_from_robot;
     still_ = 0;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "ariadne/geometry/pose.h"
+
 namespace ariadne::closure {
 namespace {
 
@@ -78,7 +80,7 @@ double agreement(const ScanHits& wall, const ScanHits& scan, const mrpt::math::T
   std::size_t agree = 0;
   Held held;
   Eigen::Matrix3d known = Eigen::Matrix3d::Zero();
-  const ScanHits ends = placed(pose, scan);
+  const ScanHits ends = geometry::placed(pose, scan);
   for (std::size_t k = 0; k < ends.size(); ++k) {
     const auto across = normalAt(ends, k);
     if (across) held.all += *across * across->transpose();

@@ -5,7 +5,7 @@
 #include <queue>
 
 #include "agreement.h"
-#include "ariadne/models/motion_model.h"
+#include "ariadne/geometry/pose.h"
 
 namespace ariadne::closure {
 
@@ -22,7 +22,7 @@ std::vector<Contact> findContacts(const Track& track, const std::vector<ScanHits
     const double way = track.travelled_m[second] - track.travelled_m[k];
     for (Nearest& c : classes) {
       if (way < c.least_way_m) continue;
-      const double d = distance(track.poses[k], track.poses[second]);
+      const double d = geometry::distance(track.poses[k], track.poses[second]);
       if (d < c.distance_m) {
         c.distance_m = d;
         c.update = k;
@@ -34,7 +34,8 @@ std::vector<Contact> findContacts(const Track& track, const std::vector<ScanHits
   for (const Nearest& c : classes) {
     if (c.update == second) continue;
     Contact contact{c.update, second, 1e-3 * Eigen::Matrix3d::Identity()};
-    const auto first_from_second = models::relativePose(track.poses[c.update], track.poses[second]);
+    const auto first_from_second =
+        geometry::relativePose(track.poses[c.update], track.poses[second]);
     if (agreement(hits[c.update], hits[second], first_from_second, params, contact.information) >=
         params.least_share)
       out.push_back(contact);
@@ -54,7 +55,7 @@ std::vector<double> distancesFromNow(const Track& track, const std::vector<Conta
     join(k - 1, k, track.travelled_m[k] - track.travelled_m[k - 1]);
   for (const Contact& c : contacts)
     if (c.second < n)
-      join(c.first, c.second, distance(track.poses[c.first], track.poses[c.second]));
+      join(c.first, c.second, geometry::distance(track.poses[c.first], track.poses[c.second]));
   using Entry = std::pair<double, std::size_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> next;
   distance_m[n - 1] = 0;

@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "ariadne/closure/piece.h"
-#include "ariadne/models/motion_model.h"
+#include "ariadne/geometry/covariance.h"
+#include "ariadne/geometry/pose.h"
 #include "refine.h"
 
 namespace ariadne::closure {
@@ -26,7 +27,8 @@ constexpr double kPieceGain =
 constexpr double kSamePlace_m = 3;
 
 bool moved(const TPose2D& a, const TPose2D& b) {
-  return distance(a, b) > 0.02 || std::abs(std::remainder(a.phi - b.phi, 2 * M_PI)) > 0.002;
+  return geometry::distance(a, b) > 0.02 ||
+         std::abs(std::remainder(a.phi - b.phi, 2 * M_PI)) > 0.002;
 }
 
 double radiusOf(const std::vector<TPoint2D>& points) {
@@ -98,7 +100,7 @@ Finder::Old Finder::oldPlaces(const Track& track) const {
         std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(old.drift[k].topLeftCorner<2, 2>())
                       .eigenvalues()[1]);
     const double half_m = std::min(params_.longest_window_m, 1 + 3 * sigma_m);
-    if (distance(track.poses[k], here) > half_m + kReach_m) continue;
+    if (geometry::distance(track.poses[k], here) > half_m + kReach_m) continue;
     old.half_m = std::max(old.half_m, half_m);
     old.half_turn_rad =
         std::max(old.half_turn_rad, std::min(0.5, 0.05 + 3 * std::sqrt(old.drift[k](2, 2))));
@@ -113,7 +115,7 @@ grid::OccupancyGrid Finder::mapAbout(const Track& track, const Scans& scans, con
   constexpr double kNear_m = 15;
   std::vector<std::size_t> near;
   for (std::size_t k = 0; k < track.poses.size(); ++k)
-    if (old.far[k] && distance(track.poses[k], pose) < kNear_m) near.push_back(k);
+    if (old.far[k] && geometry::distance(track.poses[k], pose) < kNear_m) near.push_back(k);
   const std::size_t stride = near.size() / kMostScans + 1;
   std::vector<grid::ScanShape> shapes;
   for (std::size_t i = 0; i < near.size(); i += stride)
@@ -133,10 +135,10 @@ std::optional<Finder::Sighting> Finder::lookAround(const Track& track, const Old
   const double half_m = old.half_m + radiusOf(piece) + 2 * kCell_m;
   HitRaster raster({here.x, here.y}, half_m, kCell_m);
   for (std::size_t k = 0; k < track.poses.size(); ++k)
-    if (old.far[k] && distance(track.poses[k], here) < 1.5 * half_m + kHitRange_m)
-      for (const TPoint2D& p : placed(track.poses[k], hits_[k])) raster.mark(p);
-  const double share_here =
-      static_cast<double>(raster.count(placed(here, piece))) / static_cast<double>(piece.size());
+    if (old.far[k] && geometry::distance(track.poses[k], here) < 1.5 * half_m + kHitRange_m)
+      for (const TPoint2D& p : geometry::placed(track.poses[k], hits_[k])) raster.mark(p);
+  const double share_here = static_cast<double>(raster.count(geometry::placed(here, piece))) /
+                            static_cast<double>(piece.size());
   const auto modes =
       correlate(raster, piece, here, {old.half_m, old.half_turn_rad}, kTurnStep_rad, kApart_m, 2);
   if (modes.empty() || modes[0].at_edge || modes[0].hit_share < params_.least_hit_share)
@@ -156,16 +158,16 @@ Closure Finder::closureAt(const Track& track, const Old& old, const grid::Occupa
   double nearest = 1e9;
   for (std::size_t k = 0; k < track.poses.size(); ++k) {
     if (!old.far[k]) continue;
-    const double d = distance(track.poses[k], pose);
+    const double d = geometry::distance(track.poses[k], pose);
     if (d < std::max(nearest, kSamePlace_m)) closure.anchor = k;
     nearest = std::min(nearest, d);
   }
   const TPose2D& anchor = track.poses[closure.anchor];
-  closure.anchor_from_robot = models::relativePose(anchor, pose);
-  closure.correction = models::relativePose(track.poses.back(), pose);
+  closure.anchor_from_robot = geometry::relativePose(anchor, pose);
+  closure.correction = geometry::relativePose(track.poses.back(), pose);
   const Eigen::Matrix3d known =
       kPieceGain * likelihood_.information(map, piece, pose) + 1e-3 * Eigen::Matrix3d::Identity();
-  const Eigen::Matrix3d turn = models::turnedBy(-anchor.phi);
+  const Eigen::Matrix3d turn = geometry::turnedBy(-anchor.phi);
   closure.information = (turn * known.inverse() * turn.transpose() + tieFloor()).inverse();
   std::vector<Tie> ties = tiesOf(track, book_.before(visitBegin(track, params_.least_way_m)));
   const SegmentSample without = drawSegment(track, 0, ties, nullptr);
@@ -184,11 +186,11 @@ Closure Finder::closureAt(const Track& track, const Old& old, const grid::Occupa
 bool Finder::again(const TPose2D& here, const TPose2D& pose) {
   bool same = false;
   if (pending_) {
-    const TPose2D expected = models::compose(*pending_, here);
-    same = distance(expected, pose) < 0.75 &&
+    const TPose2D expected = geometry::compose(*pending_, here);
+    same = geometry::distance(expected, pose) < 0.75 &&
            std::abs(std::remainder(expected.phi - pose.phi, 2 * M_PI)) < 0.09;
   }
-  pending_ = models::compose(pose, models::relativePose(here, {0, 0, 0}));  // map' from map
+  pending_ = geometry::compose(pose, geometry::relativePose(here, {0, 0, 0}));  // map' from map
   return same;
 }
 

@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
+#include "ariadne/geometry/pose.h"
 #include "ariadne/grid/endpoint_likelihood.h"
-#include "ariadne/models/motion_model.h"
 
 namespace ariadne::closure {
 
@@ -17,8 +17,8 @@ std::vector<mrpt::math::TPoint2D> lastPiece(const Track& track, const std::vecto
   std::vector<mrpt::math::TPoint2D> piece;
   for (std::size_t k = now + 1; k-- > 0;) {
     if (track.travelled_m[now] - track.travelled_m[k] > length_m) break;
-    const auto now_from_then = models::relativePose(track.poses[now], track.poses[k]);
-    for (const auto& p : placed(now_from_then, hits[k])) {
+    const auto now_from_then = geometry::relativePose(track.poses[now], track.poses[k]);
+    for (const auto& p : geometry::placed(now_from_then, hits[k])) {
       const auto i = static_cast<std::int64_t>(std::floor(p.x / spacing_m));
       const auto j = static_cast<std::int64_t>(std::floor(p.y / spacing_m));
       if (taken.emplace(i, j).second) piece.push_back(p);

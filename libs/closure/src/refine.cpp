@@ -1,5 +1,7 @@
 #include "refine.h"
 
+#include "ariadne/geometry/pose.h"
+
 namespace ariadne::closure {
 namespace {
 
@@ -8,7 +10,7 @@ using Points = std::vector<mrpt::math::TPoint2D>;
 
 double meanField(const grid::OccupancyGrid& map, const Points& points, const TPose2D& pose) {
   double sum = 0;
-  for (const auto& p : placed(pose, points)) sum += map.fieldAt(map.cellOf(p));
+  for (const auto& p : geometry::placed(pose, points)) sum += map.fieldAt(map.cellOf(p));
   return sum / 255 / static_cast<double>(points.size());
 }
 
@@ -31,7 +33,7 @@ Refined refine(const grid::OccupancyGrid& map, const Points& points, const TPose
         }
   }
   std::size_t known = 0, against = 0;
-  for (const auto& p : placed(out.map_from_piece, points)) {
+  for (const auto& p : geometry::placed(out.map_from_piece, points)) {
     const grid::Cell cell = map.cellOf(p);
     const bool wall_near = map.fieldAt(cell) > 0;
     if (map.at(cell) == 0 && !wall_near) continue;

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "ariadne/models/motion_model.h"
+#include "ariadne/geometry/covariance.h"
+#include "ariadne/geometry/pose.h"
 #include "chain.h"
 
 namespace ariadne::closure {
@@ -37,9 +38,9 @@ struct MeasuredMotion {
 MeasuredMotion motionBetween(const Track& track, std::size_t from, std::size_t to) {
   MeasuredMotion sum{{}, Eigen::Vector3d(1e-6, 1e-6, 1e-8).asDiagonal()};
   for (std::size_t k = from + 1; k <= to; ++k) {
-    sum.covariance = models::composedCovariance(sum.mean, sum.covariance, track.motions[k],
-                                                track.motion_covariance[k]);
-    sum.mean = models::compose(sum.mean, track.motions[k]);
+    sum.covariance = geometry::composedCovariance(sum.mean, sum.covariance, track.motions[k],
+                                                  track.motion_covariance[k]);
+    sum.mean = geometry::compose(sum.mean, track.motions[k]);
   }
   return sum;
 }
@@ -54,8 +55,8 @@ Factor factorOf(const Tie& tie, const Track& track, const std::vector<std::size_
   // Moved rigidly from the tie's updates to their keyframes; te and what is before it stay.
   const int b = keyframeAt(keys, tie.second);
   const std::size_t kb = keys[static_cast<std::size_t>(b)];
-  TPose2D measured = models::compose(
-      tie.first_from_second, models::relativePose(track.poses[tie.second], track.poses[kb]));
+  TPose2D measured = geometry::compose(
+      tie.first_from_second, geometry::relativePose(track.poses[tie.second], track.poses[kb]));
   Factor f{-1, track.poses[tie.first], b - 1, {}, tie.information, tie.doubted};
   if (tie.first > keys.front()) {
     f.a = keyframeAt(keys, tie.first) - 1;
@@ -63,10 +64,10 @@ Factor factorOf(const Tie& tie, const Track& track, const std::vector<std::size_
       f.fixed = track.poses[tie.first];
     } else {
       const auto& ka = track.poses[keys[static_cast<std::size_t>(f.a + 1)]];
-      const TPose2D key_from_first = models::relativePose(ka, track.poses[tie.first]);
-      measured = models::compose(key_from_first, measured);
+      const TPose2D key_from_first = geometry::relativePose(ka, track.poses[tie.first]);
+      measured = geometry::compose(key_from_first, measured);
       // The information turns with the frame; the lever of under a metre is left out.
-      const Eigen::Matrix3d turn = models::turnedBy(key_from_first.phi);
+      const Eigen::Matrix3d turn = geometry::turnedBy(key_from_first.phi);
       f.information = turn * tie.information * turn.transpose();
     }
   }
@@ -83,17 +84,17 @@ std::vector<TPose2D> spread(const Track& track, const std::vector<std::size_t>& 
     const TPose2D from = i == 1 ? track.poses[keys[0]] : found[i - 2];
     const TPose2D& old_from = track.poses[keys[i - 1]];
     const TPose2D moved =
-        models::compose(from, models::relativePose(old_from, track.poses[keys[i]]));
-    const TPose2D missing = models::relativePose(moved, found[i - 1]);
+        geometry::compose(from, geometry::relativePose(old_from, track.poses[keys[i]]));
+    const TPose2D missing = geometry::relativePose(moved, found[i - 1]);
     const double way = track.travelled_m[keys[i]] - track.travelled_m[keys[i - 1]];
     for (std::size_t k = keys[i - 1] + 1; k <= keys[i]; ++k) {
       const double share =
           k == keys[i]
               ? 1
               : (way > 0 ? (track.travelled_m[k] - track.travelled_m[keys[i - 1]]) / way : 0);
-      out.push_back(
-          models::compose(models::compose(from, models::relativePose(old_from, track.poses[k])),
-                          {share * missing.x, share * missing.y, share * missing.phi}));
+      out.push_back(geometry::compose(
+          geometry::compose(from, geometry::relativePose(old_from, track.poses[k])),
+          {share * missing.x, share * missing.y, share * missing.phi}));
     }
   }
   return out;
@@ -110,7 +111,7 @@ std::vector<Tie> tiesOf(const Track& track, const std::vector<Contact>& contacts
       ties.push_back({c.first, c.second,
                       c.first_from_second
                           ? *c.first_from_second
-                          : models::relativePose(track.poses[c.first], track.poses[c.second]),
+                          : geometry::relativePose(track.poses[c.first], track.poses[c.second]),
                       (c.information.inverse() + tieFloor()).inverse(), true});
   return ties;
 }
@@ -163,7 +164,7 @@ std::vector<Eigen::Matrix3d> driftSinceEach(const Track& track) {
   for (std::size_t k = track.now(); k > 0; --k) {
     const TPose2D& a = track.poses[k - 1];
     const TPose2D& b = track.poses[k];
-    Eigen::Matrix3d j = models::turnedBy(a.phi);
+    Eigen::Matrix3d j = geometry::turnedBy(a.phi);
     // A turn in this step swings the end about it.
     j(0, 2) = -(end.y - b.y);
     j(1, 2) = end.x - b.x;

@@ -3,16 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ariadne/models/motion_model.h"
-
 namespace ariadne::eval {
 
 using mrpt::math::TPose2D;
 
-bool poseAt(const models::Trajectory& estimate, double time_s, double max_gap_s, TPose2D& pose) {
+bool poseAt(const geometry::Trajectory& estimate, double time_s, double max_gap_s, TPose2D& pose) {
   const auto after =
       std::lower_bound(estimate.begin(), estimate.end(), time_s,
-                       [](const models::StampedPose& p, double t) { return p.time_s < t; });
+                       [](const geometry::StampedPose& p, double t) { return p.time_s < t; });
   if (after != estimate.end() && after->time_s == time_s) {
     pose = after->pose;
     return true;
@@ -33,8 +31,8 @@ bool poseAt(const models::Trajectory& estimate, double time_s, double max_gap_s,
   return true;
 }
 
-std::vector<PosePair> associate(const models::Trajectory& estimate, const models::Trajectory& truth,
-                                double max_gap_s) {
+std::vector<PosePair> associate(const geometry::Trajectory& estimate,
+                                const geometry::Trajectory& truth, double max_gap_s) {
   std::vector<PosePair> pairs;
   for (const auto& t : truth) {
     PosePair pair{t.time_s, {}, t.pose};

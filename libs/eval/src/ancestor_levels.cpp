@@ -1,6 +1,6 @@
 #include "ariadne/eval/ancestor_levels.h"
 
-#include "ariadne/eval/weighted_poses.h"
+#include "ariadne/geometry/weighted_poses.h"
 
 namespace ariadne::eval {
 
@@ -8,7 +8,7 @@ using filter::Ancestor;
 
 AncestorLevels::AncestorLevels(const std::vector<filter::AncestorPtr>& leaves,
                                const std::vector<double>& weights) {
-  if (!weights.empty()) checkCounts(weights.size(), leaves.size(), "particles");
+  if (!weights.empty()) geometry::checkCounts(weights.size(), leaves.size(), "particles");
   int bits = 4;
   while ((std::size_t{1} << bits) < 4 * leaves.size()) ++bits;  // at most a quarter full
   slots_.resize(std::size_t{1} << bits);

@@ -5,8 +5,8 @@ namespace ariadne::eval {
 Entropy entropyOf(const std::vector<const filter::Particle*>& particles,
                   const std::vector<double>& weights, const CountedCells& cells,
                   const EntropyFloor& floor) {
-  checkCounts(weights.size(), particles.size(), "particles");
-  WeightedPoses now;
+  geometry::checkCounts(weights.size(), particles.size(), "particles");
+  geometry::WeightedPoses now;
   now.weights = weights;
   std::vector<filter::AncestorPtr> leaves;
   std::vector<const grid::OccupancyGrid*> maps;

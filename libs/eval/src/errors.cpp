@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ariadne/models/motion_model.h"
+#include "ariadne/geometry/pose.h"
 
 namespace ariadne::eval {
 
@@ -32,8 +32,8 @@ std::vector<double> absoluteErrors(const std::vector<PosePair>& pairs,
                                    const TPose2D& truth_from_estimate) {
   std::vector<double> errors;
   for (const auto& p : pairs) {
-    const TPose2D laid = models::compose(truth_from_estimate, p.estimate);
-    errors.push_back(std::hypot(laid.x - p.truth.x, laid.y - p.truth.y));
+    const TPose2D laid = geometry::compose(truth_from_estimate, p.estimate);
+    errors.push_back(geometry::distance(laid, p.truth));
   }
   return errors;
 }
@@ -41,8 +41,7 @@ std::vector<double> absoluteErrors(const std::vector<PosePair>& pairs,
 RelativeErrors relativeErrors(const std::vector<PosePair>& pairs, double delta_m) {
   std::vector<double> travelled(pairs.size(), 0);
   for (std::size_t i = 1; i < pairs.size(); ++i)
-    travelled[i] = travelled[i - 1] + std::hypot(pairs[i].truth.x - pairs[i - 1].truth.x,
-                                                 pairs[i].truth.y - pairs[i - 1].truth.y);
+    travelled[i] = travelled[i - 1] + geometry::distance(pairs[i].truth, pairs[i - 1].truth);
   RelativeErrors errors;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const auto end = std::lower_bound(travelled.begin() + static_cast<std::ptrdiff_t>(i),
@@ -51,8 +50,8 @@ RelativeErrors relativeErrors(const std::vector<PosePair>& pairs, double delta_m
       continue;
     const auto& later = pairs[static_cast<std::size_t>(end - travelled.begin())];
     const TPose2D error =
-        models::relativePose(models::relativePose(pairs[i].estimate, later.estimate),
-                             models::relativePose(pairs[i].truth, later.truth));
+        geometry::relativePose(geometry::relativePose(pairs[i].estimate, later.estimate),
+                               geometry::relativePose(pairs[i].truth, later.truth));
     errors.translation_m.push_back(std::hypot(error.x, error.y));
     errors.rotation_deg.push_back(std::abs(error.phi) * 180 / M_PI);
   }

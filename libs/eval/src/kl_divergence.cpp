@@ -10,7 +10,7 @@ namespace {
 /// Kernel density in units of the kernel's peak, which cancels in the ratio of two.
 class Density {
  public:
-  Density(const WeightedPoses& set, const KernelParams& params)
+  Density(const geometry::WeightedPoses& set, const KernelParams& params)
       : set_(set),
         per_m_(1 / params.bandwidth_m),
         per_rad_(params.heading_bandwidth_deg > 0 ? 180 / (M_PI * params.heading_bandwidth_deg)
@@ -38,17 +38,18 @@ class Density {
   }
 
  private:
-  const WeightedPoses& set_;
+  const geometry::WeightedPoses& set_;
   double per_m_;
   double per_rad_;
 };
 
 }  // namespace
 
-Divergence divergence(const WeightedPoses& p, const WeightedPoses& q, const KernelParams& params) {
+Divergence divergence(const geometry::WeightedPoses& p, const geometry::WeightedPoses& q,
+                      const KernelParams& params) {
   core::validateFields(params, "kernel");
-  checkWeightedPoses(p);
-  checkWeightedPoses(q);
+  geometry::checkWeightedPoses(p);
+  geometry::checkWeightedPoses(q);
   const Density of_p(p, params);
   const Density of_q(q, params);
   const double floor = std::exp(-params.floor_bandwidths * params.floor_bandwidths / 2);

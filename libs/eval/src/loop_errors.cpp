@@ -7,7 +7,7 @@
 
 #include "ariadne/eval/alignment.h"
 #include "ariadne/eval/errors.h"
-#include "ariadne/models/motion_model.h"
+#include "ariadne/geometry/pose.h"
 
 namespace ariadne::eval {
 namespace {
@@ -23,13 +23,13 @@ struct Moment {
   bool matched = false;
 };
 
-std::vector<Moment> momentsOf(const models::Trajectory& estimate, const models::Trajectory& truth,
-                              double max_gap_s, double every_m) {
+std::vector<Moment> momentsOf(const geometry::Trajectory& estimate,
+                              const geometry::Trajectory& truth, double max_gap_s, double every_m) {
   std::vector<Moment> moments;
   double travelled = 0;
   for (std::size_t i = 0; i < truth.size(); ++i) {
     const TPose2D& here = truth[i].pose;
-    if (i > 0) travelled += std::hypot(here.x - truth[i - 1].pose.x, here.y - truth[i - 1].pose.y);
+    if (i > 0) travelled += geometry::distance(here, truth[i - 1].pose);
     if (!moments.empty() && travelled < moments.back().travelled_m + every_m) continue;
     Moment m{i, travelled, here, {}, false};
     m.matched = poseAt(estimate, truth[i].time_s, max_gap_s, m.estimate);
@@ -64,8 +64,8 @@ class Squares {
 };
 
 LoopError errorAcross(const Moment& a, const Moment& b) {
-  const TPose2D error = models::relativePose(models::relativePose(a.estimate, b.estimate),
-                                             models::relativePose(a.truth, b.truth));
+  const TPose2D error = geometry::relativePose(geometry::relativePose(a.estimate, b.estimate),
+                                               geometry::relativePose(a.truth, b.truth));
   return {a.index, b.index, std::hypot(error.x, error.y), std::abs(error.phi) * 180 / M_PI};
 }
 
@@ -86,7 +86,7 @@ void summarise(LoopErrors& errors) {
 
 }  // namespace
 
-LoopErrors loopErrors(const models::Trajectory& estimate, const models::Trajectory& truth,
+LoopErrors loopErrors(const geometry::Trajectory& estimate, const geometry::Trajectory& truth,
                       double max_gap_s, const LoopParams& params) {
   core::validateFields(params, "loops");
   if (params.near_m >= params.apart_m)
@@ -107,8 +107,7 @@ LoopErrors loopErrors(const models::Trajectory& estimate, const models::Trajecto
     firsts.clear();
     squares.forEachAbout(now.truth, [&](std::size_t i) {
       const TPose2D& then = moments[i].truth;
-      if (std::hypot(now.truth.x - then.x, now.truth.y - then.y) < params.near_m)
-        firsts.push_back(i);
+      if (geometry::distance(now.truth, then) < params.near_m) firsts.push_back(i);
     });
     std::sort(firsts.begin(), firsts.end());
     for (const std::size_t i : firsts) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "ariadne/models/motion_model.h"
+#include "ariadne/geometry/pose.h"
 
 namespace ariadne::eval {
 namespace {
@@ -59,7 +59,7 @@ MapScore mapScore(const OccupancyGrid& map, const OccupancyGrid& truth,
   MapScore score;
   if (walls.empty() || true_walls.empty()) return score;
   for (TPoint2D& p : walls) {
-    const TPose2D moved = models::compose(truth_from_map, {p.x, p.y, 0});
+    const TPose2D moved = geometry::compose(truth_from_map, {p.x, p.y, 0});
     p = {moved.x, moved.y};
   }
   const double cell_m = truth.resolution();

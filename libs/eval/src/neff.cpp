@@ -1,11 +1,11 @@
 #include "ariadne/eval/neff.h"
 
-#include "ariadne/eval/weighted_poses.h"
+#include "ariadne/geometry/weighted_poses.h"
 
 namespace ariadne::eval {
 
 double neff(const std::vector<double>& weights) {
-  checkWeights(weights);
+  geometry::checkWeights(weights);
   double squares = 0;
   for (const double w : weights) squares += w * w;
   return 1 / squares;

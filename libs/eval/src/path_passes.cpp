@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ariadne/core/error.h"
+#include "ariadne/geometry/pose.h"
 
 namespace ariadne::eval {
 namespace {
@@ -13,10 +14,6 @@ struct Place {
   double y;
 };
 
-double distance(const models::StampedPose& a, const models::StampedPose& b) {
-  return std::hypot(b.pose.x - a.pose.x, b.pose.y - a.pose.y);
-}
-
 /// Earlier visits to point i: points near it, more than apart_m before it, and as far from the
 /// visit counted before.
 std::size_t passesBefore(const std::vector<PathPoint>& points, const std::vector<Place>& places,
@@ -24,7 +21,7 @@ std::size_t passesBefore(const std::vector<PathPoint>& points, const std::vector
   std::size_t passes = 0;
   double next_visit = points[i].way_m;
   for (std::size_t j = i; j-- > 0;) {
-    if (std::hypot(places[j].x - places[i].x, places[j].y - places[i].y) >= p.near_m) continue;
+    if (geometry::distance(places[j], places[i]) >= p.near_m) continue;
     if (points[i].way_m - points[j].way_m <= p.apart_m) continue;
     if (next_visit - points[j].way_m > p.apart_m) ++passes;
     next_visit = points[j].way_m;
@@ -34,7 +31,7 @@ std::size_t passesBefore(const std::vector<PathPoint>& points, const std::vector
 
 }  // namespace
 
-std::vector<PathPoint> pathPasses(const models::Trajectory& path, const PassParams& p) {
+std::vector<PathPoint> pathPasses(const geometry::Trajectory& path, const PassParams& p) {
   if (path.empty()) throw core::UsageError("a path without a pose has no passes");
   if (!(p.near_m > 0 && p.apart_m > 0 && p.every_m > 0))
     throw core::UsageError("near_m, apart_m and every_m must be over 0");
@@ -42,7 +39,7 @@ std::vector<PathPoint> pathPasses(const models::Trajectory& path, const PassPara
   std::vector<Place> places{{path[0].pose.x, path[0].pose.y}};
   double way = 0;
   for (std::size_t i = 1; i < path.size(); ++i) {
-    const double length = distance(path[i - 1], path[i]);
+    const double length = geometry::distance(path[i - 1].pose, path[i].pose);
     const int parts = std::max(1, static_cast<int>(length / p.every_m));
     for (int k = 1; k <= parts; ++k) {
       const double u = static_cast<double>(k) / parts;

@@ -20,7 +20,7 @@ void checkFloor(const EntropyFloor& floor) {
                     floor.position_m, floor.heading_deg));
 }
 
-Eigen::Matrix3d covarianceOf(const WeightedPoses& set) {
+Eigen::Matrix3d covarianceOf(const geometry::WeightedPoses& set) {
   double x = 0, y = 0, along = 0, across = 0;
   for (std::size_t i = 0; i < set.poses.size(); ++i) {
     const auto& p = set.poses[i];
@@ -52,12 +52,12 @@ double entropyOfGaussian(Eigen::Matrix3d covariance, const EntropyFloor& floor) 
 
 }  // namespace
 
-Eigen::Matrix3d poseCovariance(const WeightedPoses& set) {
-  checkWeightedPoses(set);
+Eigen::Matrix3d poseCovariance(const geometry::WeightedPoses& set) {
+  geometry::checkWeightedPoses(set);
   return covarianceOf(set);
 }
 
-double gaussianEntropy(const WeightedPoses& set, const EntropyFloor& floor) {
+double gaussianEntropy(const geometry::WeightedPoses& set, const EntropyFloor& floor) {
   checkFloor(floor);
   return entropyOfGaussian(poseCovariance(set), floor);
 }
@@ -65,12 +65,12 @@ double gaussianEntropy(const WeightedPoses& set, const EntropyFloor& floor) {
 double pathEntropy(const std::vector<filter::AncestorPtr>& leaves,
                    const std::vector<double>& weights, const EntropyFloor& floor) {
   checkFloor(floor);
-  checkCounts(weights.size(), leaves.size(), "particles");
-  checkWeights(weights);
+  geometry::checkCounts(weights.size(), leaves.size(), "particles");
+  geometry::checkWeights(weights);
   const double of_one_pose = entropyOfGaussian(Eigen::Matrix3d::Zero(), floor);
   double sum = 0;
   std::size_t steps = 0;
-  WeightedPoses here;
+  geometry::WeightedPoses here;
   for (AncestorLevels walk(leaves, weights); !walk.done(); walk.up()) {
     double mass = 0;
     for (const auto& e : walk.level()) mass += e.weight;

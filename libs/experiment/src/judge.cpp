@@ -9,21 +9,21 @@
 namespace ariadne::experiment {
 namespace {
 
-double ateOf(const models::Trajectory& path, const models::Trajectory& truth) {
+double ateOf(const geometry::Trajectory& path, const geometry::Trajectory& truth) {
   const auto pairs = eval::associate(path, truth, 0);
   return eval::figuresOf(eval::absoluteErrors(pairs, eval::align(pairs))).rmse;
 }
 
 }  // namespace
 
-ArmResult judge(const slam::Mapper& mapper, const models::Trajectory& truth,
+ArmResult judge(const slam::Mapper& mapper, const geometry::Trajectory& truth,
                 const eval::CorrectBounds& bounds) {
   ArmResult arm;
   const std::vector<double> weights = mapper.particles().weights();
   const std::size_t best = mapper.particles().best();
   arm.best_translation_m = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < mapper.particles().size(); ++i) {
-    const models::Trajectory path = mapper.pathOf(i);
+    const geometry::Trajectory path = mapper.pathOf(i);
     const eval::LoopErrors errors = eval::loopErrors(path, truth, 0);
     const bool right = eval::correct(errors, bounds);
     arm.exists |= right;

@@ -7,7 +7,7 @@
 #include "ariadne/closing/stop_rules.h"
 #include "ariadne/eval/kl_divergence.h"
 #include "ariadne/experiment/neff_fall.h"
-#include "ariadne/models/motion_model.h"
+#include "ariadne/geometry/pose.h"
 #include "ariadne/slam/mapper.h"
 #include "judge.h"
 
@@ -18,8 +18,8 @@ using mrpt::math::TPose2D;
 
 /// Distance between where the pose is and where it truly was, both seen from the start.
 double errorAt(const TPose2D& pose, const TPose2D& start, const TPose2D& true_from_start) {
-  const TPose2D moved = models::relativePose(start, pose);
-  return std::hypot(moved.x - true_from_start.x, moved.y - true_from_start.y);
+  const TPose2D moved = geometry::relativePose(start, pose);
+  return geometry::distance(moved, true_from_start);
 }
 
 double leastError(const std::vector<TPose2D>& poses, const TPose2D& start,
@@ -29,14 +29,12 @@ double leastError(const std::vector<TPose2D>& poses, const TPose2D& start,
   return least;
 }
 
-eval::WeightedPoses toEval(const slam::WeightedPoses& set) { return {set.poses, set.weights}; }
-
 InnerLoop innerOf(const slam::ClosingRecord& record, const TPose2D& start,
                   const TPose2D& true_from_start) {
   const slam::SavingRecord& saving = *record.saving;
   const slam::RecoveryRecord& recovery = *record.recovery;
   const std::size_t te = record.closing.opportunity.te;
-  slam::WeightedPoses left;
+  geometry::WeightedPoses left;
   for (const auto& leaf : recovery.before)
     left.poses.push_back(filter::ancestorAt(leaf, te)->pose());
   left.weights = recovery.weights_before;
@@ -49,10 +47,10 @@ InnerLoop innerOf(const slam::ClosingRecord& record, const TPose2D& start,
                     static_cast<double>(std::max<std::size_t>(saving.existed, 1));
   inner.distinct_left = recovery.distinct_before;
   inner.distinct_saved = recovery.distinct_after;
-  const eval::Divergence saved = eval::divergence(toEval(saving.at_te), toEval(saving.saved));
+  const eval::Divergence saved = eval::divergence(saving.at_te, saving.saved);
   inner.kl_saved_nats = saved.kl_nats;
   inner.lost_mass = saved.lost_mass;
-  inner.kl_left_nats = eval::divergence(toEval(saving.at_te), toEval(left)).kl_nats;
+  inner.kl_left_nats = eval::divergence(saving.at_te, left).kl_nats;
   const auto& steps = record.closing.course.steps;
   inner.neff_slope_per_m = closing::slopeOfLogNeff(steps, 0);
   inner.resamplings = static_cast<double>(
@@ -63,7 +61,7 @@ InnerLoop innerOf(const slam::ClosingRecord& record, const TPose2D& start,
 
 /// @param updates up to the recovery
 void addNeff(InnerLoop& inner, const std::vector<NeffStep>& updates,
-             const models::Trajectory& truth) {
+             const geometry::Trajectory& truth) {
   const auto falls = neffFall(neffChanges(updates, eval::pathPasses(truth)));
   double* const figures[] = {&inner.ln_neff_new_per_10m, &inner.ln_neff_once_per_10m,
                              &inner.ln_neff_twice_per_10m, &inner.ln_neff_more_per_10m};
@@ -72,16 +70,16 @@ void addNeff(InnerLoop& inner, const std::vector<NeffStep>& updates,
 }
 
 /// The inner loop is the first one that was recovered.
-std::optional<InnerLoop> innerOf(const slam::Mapper& mapper, const models::Trajectory& truth,
+std::optional<InnerLoop> innerOf(const slam::Mapper& mapper, const geometry::Trajectory& truth,
                                  std::vector<NeffStep> updates) {
   for (const slam::ClosingRecord& record : mapper.closings()) {
     if (!record.recovery) continue;
     const double time = updates[record.closing.opportunity.te].time_s;
     const auto at =
         std::lower_bound(truth.begin(), truth.end(), time,
-                         [](const models::StampedPose& p, double t) { return p.time_s < t; });
+                         [](const geometry::StampedPose& p, double t) { return p.time_s < t; });
     InnerLoop inner = innerOf(record, mapper.path().front().pose,
-                              models::relativePose(truth.front().pose, at->pose));
+                              geometry::relativePose(truth.front().pose, at->pose));
     updates.resize(record.recovery->update + 1);
     addNeff(inner, updates, truth);
     return inner;

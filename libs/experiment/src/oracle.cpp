@@ -11,14 +11,6 @@ namespace {
 
 using Steps = std::vector<models::SensorStep>;
 
-eval::WeightedPoses posesOf(const slam::Mapper& mapper) {
-  eval::WeightedPoses set;
-  set.weights = mapper.particles().weights();
-  for (std::size_t i = 0; i < mapper.particles().size(); ++i)
-    set.poses.push_back(mapper.particles()[i].map_from_robot);
-  return set;
-}
-
 /// Both arms at the end of the first closing that is recovered, and where in the drive that is.
 struct FirstLoop {
   std::unique_ptr<slam::Mapper> recovered;
@@ -70,8 +62,10 @@ std::optional<OracleResult> runOracle(const sim::SimulatedDrive& seen,
   const auto oracle = oracleThrough(seen.steps, seeded, *loop);
 
   OracleResult result;
-  result.kl_recovered_nats = eval::divergence(posesOf(*oracle), posesOf(*loop->recovered)).kl_nats;
-  result.kl_standard_nats = eval::divergence(posesOf(*oracle), posesOf(*loop->standard)).kl_nats;
+  result.kl_recovered_nats =
+      eval::divergence(oracle->particles().poses(), loop->recovered->particles().poses()).kl_nats;
+  result.kl_standard_nats =
+      eval::divergence(oracle->particles().poses(), loop->standard->particles().poses()).kl_nats;
   for (slam::Mapper* mapper : {oracle.get(), loop->recovered.get(), loop->standard.get()})
     for (std::size_t k = loop->next; k < seen.steps.size(); ++k) mapper->process(seen.steps[k]);
   result.oracle = judge(*oracle, seen.truth, bounds);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ariadne/explore/guard.h"
+#include "ariadne/geometry/pose.h"
 
 namespace ariadne::explore {
 namespace {
@@ -122,7 +123,7 @@ VelocityCommand Explorer::face(const Belief& belief) {
   }
   decide(belief);
   const bool still_there = mode_ == Mode::driving && heading_.purpose == Purpose::frontier &&
-                           std::hypot(heading_.at.x - seen.x, heading_.at.y - seen.y) < kSame_m;
+                           geometry::distance(heading_.at, seen) < kSame_m;
   if (still_there && follower_.arrived(pose)) {
     frontier_goal_.fail(heading_.at, "seen from beside it, it did not give way");
     decide(belief);

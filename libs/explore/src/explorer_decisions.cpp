@@ -6,7 +6,7 @@
 #include "ariadne/explore/explorer.h"
 #include "ariadne/explore/goal_check.h"
 #include "ariadne/explore/guard.h"
-#include "ariadne/models/motion_model.h"
+#include "ariadne/geometry/pose.h"
 
 namespace ariadne::explore {
 namespace {
@@ -19,7 +19,7 @@ std::vector<TPoint2D> obstaclesNow(const Belief& belief, const Bumper& bumper) {
   constexpr double kNear_m = 3;
   std::vector<TPoint2D> points = bumper.points();
   for (const TPoint2D& hit : hitsOf(belief.scan, kNear_m)) {
-    const TPose2D at = models::compose(belief.map_from_robot, {hit.x, hit.y, 0});
+    const TPose2D at = geometry::compose(belief.map_from_robot, {hit.x, hit.y, 0});
     points.emplace_back(at.x, at.y);
   }
   return points;
@@ -65,8 +65,7 @@ bool Explorer::mustDecide(const Belief& belief) {
   // So that it never has to brake.
   constexpr double kNearPlace_m = 1.5;
   const double since_check_m = travelled_m() - checked_at_m_;
-  const double left_m =
-      std::hypot(heading_.at.x - belief.map_from_robot.x, heading_.at.y - belief.map_from_robot.y);
+  const double left_m = geometry::distance(heading_.at, belief.map_from_robot);
   if (in_loop && left_m < kNearPlace_m && since_check_m > 0.3) return true;
   if (belief.time_s - checked_at_s_ >= 5) return true;  // hardly moves
   if (since_check_m < 1) return false;
@@ -101,9 +100,8 @@ void Explorer::giveUp(const Belief& belief, const std::string& why) {
 }
 
 void Explorer::go(Destination where) {
-  const bool same =
-      where.heading.purpose == heading_.purpose &&
-      std::hypot(where.heading.at.x - heading_.at.x, where.heading.at.y - heading_.at.y) < 0.5;
+  const bool same = where.heading.purpose == heading_.purpose &&
+                    geometry::distance(where.heading.at, heading_.at) < 0.5;
   if (!same) lost_ = 0;
   heading_ = where.heading;
   follower_.take(std::move(where.route));

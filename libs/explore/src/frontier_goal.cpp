@@ -5,16 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ariadne/geometry/pose.h"
+
 namespace ariadne::explore {
 namespace {
 
 using mrpt::math::TPoint2D;
 
 constexpr double kSame_m = 1;
-
-double metresBetween(const TPoint2D& a, const TPoint2D& b) {
-  return std::hypot(a.x - b.x, a.y - b.y);
-}
 
 }  // namespace
 
@@ -31,7 +29,7 @@ const Frontier& FrontierGoal::kept(const Frontier& next, const Heading& heading)
   if (heading.purpose != Purpose::frontier) return next;
   for (const Frontier& f : frontiers_)
     if (f.left.empty() && std::any_of(f.cells.begin(), f.cells.end(), [&](const TPoint2D& c) {
-          return metresBetween(c, heading.at) < kSame_m;
+          return geometry::distance(c, heading.at) < kSame_m;
         }))
       return f;
   return next;
@@ -46,7 +44,7 @@ Answer FrontierGoal::answer(const Question& q, Logbook& log) {
                                : "explored: every frontier that is left has a reason"};
   const Frontier& goal = kept(frontiers_[*next], q.heading);
   const bool same = q.heading.purpose == Purpose::frontier &&
-                    metresBetween(goal.target, q.heading.at) < 2 * kSame_m;
+                    geometry::distance(goal.target, q.heading.at) < 2 * kSame_m;
   if (!same) {
     Decision& d = log.note(
         q.belief, DecisionKind::frontier,

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "distances.h"
+#include "ariadne/geometry/pose.h"
 
 namespace ariadne::explore {
 namespace {
@@ -60,7 +60,7 @@ void approach(Frontier& f, const std::vector<int>& cells, const Planner& planner
   for (const int c : cells) {
     const TPoint2D centre = planner.grid().centreOf(c);
     const auto fail = std::find_if(failed.begin(), failed.end(), [&](const FailedTarget& t) {
-      return distance(t.at, centre) < kFailedRadius_m;
+      return geometry::distance(t.at, centre) < kFailedRadius_m;
     });
     if (fail != failed.end()) {
       near_failed = &*fail;
@@ -120,7 +120,7 @@ std::optional<std::size_t> chooseFrontier(const std::vector<Frontier>& frontiers
 bool frontierNear(const std::vector<Frontier>& frontiers, const TPoint2D& point, double radius_m) {
   return std::any_of(frontiers.begin(), frontiers.end(), [&](const Frontier& f) {
     return f.left.empty() && std::any_of(f.cells.begin(), f.cells.end(), [&](const TPoint2D& c) {
-             return distance(c, point) <= radius_m;
+             return geometry::distance(c, point) <= radius_m;
            });
   });
 }

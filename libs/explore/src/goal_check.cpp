@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "ariadne/geometry/pose.h"
+
 namespace ariadne::explore {
 namespace {
 
@@ -15,7 +17,7 @@ void forEachNear(const grid::OccupancyGrid& map, const TPoint2D& point, double r
   for (int y = centre.y - reach; y <= centre.y + reach; ++y)
     for (int x = centre.x - reach; x <= centre.x + reach; ++x) {
       const TPoint2D at = map.centreOf({x, y});
-      if (std::hypot(at.x - point.x, at.y - point.y) <= reach_m) f(map.at({x, y}));
+      if (geometry::distance(at, point) <= reach_m) f(map.at({x, y}));
     }
 }
 
@@ -27,11 +29,11 @@ bool routeHolds(const grid::OccupancyGrid& map, const Route& route, std::size_t 
   constexpr double kLookahead_m = 6;
   constexpr double kEvery_m = 0.15;
   if (next >= route.size()) return false;
-  if (std::hypot(route[next].x - robot.x, route[next].y - robot.y) > kOff_m) return false;
+  if (geometry::distance(route[next], robot) > kOff_m) return false;
   double way = 0;
   double looked = -kEvery_m;
   for (std::size_t i = next; i < route.size() && way < kLookahead_m; ++i) {
-    if (i > next) way += std::hypot(route[i].x - route[i - 1].x, route[i].y - route[i - 1].y);
+    if (i > next) way += geometry::distance(route[i], route[i - 1]);
     if (way - looked < kEvery_m) continue;
     looked = way;
     bool wall = false;

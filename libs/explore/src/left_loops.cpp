@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ariadne/explore/goal_check.h"
+#include "ariadne/geometry/pose.h"
 
 namespace ariadne::explore {
 namespace {
@@ -34,8 +35,7 @@ bool LeftLoops::contains(const closing::Closing& loop) const {
   return std::find(entered_.begin(), entered_.end(), loop.name) != entered_.end() ||
          std::any_of(entries_.begin(), entries_.end(), [&](const Entry& e) {
            return e.closing == loop.name ||
-                  (!loop.entered && std::hypot(e.at.x - loop.entry_position.x,
-                                               e.at.y - loop.entry_position.y) < kAbout_m);
+                  (!loop.entered && geometry::distance(e.at, loop.entry_position) < kAbout_m);
          });
 }
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <vector>
 
+#include "ariadne/geometry/pose.h"
+
 namespace ariadne::explore {
 namespace {
 
@@ -38,7 +40,7 @@ mrpt::math::TPoint2D LoopRoute::next(const filter::AncestorPtr& leaf,
   }
   // The robot may have come to where it was sent on another way than the path's.
   const auto near = [&](std::size_t update) {
-    return std::hypot(place(update).x - robot.x, place(update).y - robot.y) < kPassed_m;
+    return geometry::distance(place(update), robot) < kPassed_m;
   };
   for (std::size_t update = ahead_; update > cursor_; --update)
     if (near(update)) cursor_ = update;
@@ -46,7 +48,7 @@ mrpt::math::TPoint2D LoopRoute::next(const filter::AncestorPtr& leaf,
   ahead_ = cursor_;
   double way = 0;
   while (ahead_ < entered_ && way < kAhead_m) {
-    way += std::hypot(place(ahead_ + 1).x - place(ahead_).x, place(ahead_ + 1).y - place(ahead_).y);
+    way += geometry::distance(place(ahead_ + 1), place(ahead_));
     ++ahead_;
   }
   return place(ahead_);

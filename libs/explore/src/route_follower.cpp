@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "distances.h"
+#include "ariadne/geometry/pose.h"
 
 namespace ariadne::explore {
 namespace {
@@ -35,7 +35,7 @@ void RouteFollower::take(Route route) {
 }
 
 bool RouteFollower::arrived(const TPose2D& robot) const {
-  return route_.empty() || distance(route_.back(), robot) <= kArrived_m;
+  return route_.empty() || geometry::distance(route_.back(), robot) <= kArrived_m;
 }
 
 /// The nearest point of what lies ahead, then on to the lookahead.
@@ -45,11 +45,12 @@ TPoint2D RouteFollower::aim(const TPose2D& robot) {
   const auto to =
       route_.begin() + static_cast<std::ptrdiff_t>(std::min(route_.size(), next_ + kWindow));
   const auto nearest = std::min_element(from, to, [&](const TPoint2D& a, const TPoint2D& b) {
-    return distance(a, robot) < distance(b, robot);
+    return geometry::distance(a, robot) < geometry::distance(b, robot);
   });
   next_ = static_cast<std::size_t>(nearest - route_.begin());
   std::size_t ahead = next_;
-  while (ahead + 1 < route_.size() && distance(route_[ahead], robot) < kLookahead_m) ++ahead;
+  while (ahead + 1 < route_.size() && geometry::distance(route_[ahead], robot) < kLookahead_m)
+    ++ahead;
   return route_[ahead];
 }
 
@@ -68,7 +69,7 @@ VelocityCommand RouteFollower::command(const TPose2D& robot) {
   const double fastest = params_.turn_deg_s * kDegree;
   VelocityCommand out{0, std::clamp(kTurnGain * error, -fastest, fastest)};
   if (turning_) return out;
-  const double braking = kBrakeGain * distance(route_.back(), robot);
+  const double braking = kBrakeGain * geometry::distance(route_.back(), robot);
   out.forward_m_s = std::max(kSlowest_m_s, std::min(params_.speed_m_s, braking)) * std::cos(error);
   return out;
 }

@@ -4,15 +4,15 @@
 #include <cmath>
 
 #include "ariadne/core/release_chain.h"
-#include "ariadne/models/motion_model.h"
+#include "ariadne/geometry/pose.h"
 
 namespace ariadne::filter {
 
 Ancestor::Ancestor(AncestorPtr parent, std::size_t step, const mrpt::math::TPose2D& map_from_robot,
                    double log_weight)
-    : Ancestor(
-          parent, step, map_from_robot, log_weight,
-          parent ? models::relativePose(parent->pose(), map_from_robot) : mrpt::math::TPose2D()) {}
+    : Ancestor(parent, step, map_from_robot, log_weight,
+               parent ? geometry::relativePose(parent->pose(), map_from_robot)
+                      : mrpt::math::TPose2D()) {}
 
 Ancestor::~Ancestor() {
   core::releaseChain(
@@ -45,7 +45,7 @@ std::size_t earlierPasses(const AncestorPtr& leaf, double radius_m) {
   std::size_t runs = 0;
   bool inside = false;
   forEachAncestor(leaf, [&](const Ancestor& a) {
-    const bool near = std::hypot(a.pose().x - here.x, a.pose().y - here.y) < radius_m;
+    const bool near = geometry::distance(a.pose(), here) < radius_m;
     if (near && !inside) ++runs;
     inside = near;
     return true;

@@ -9,6 +9,8 @@
 #include <numeric>
 
 #include "ariadne/filter/residual.h"
+#include "ariadne/geometry/covariance.h"
+#include "ariadne/geometry/pose.h"
 
 namespace ariadne::filter {
 
@@ -69,6 +71,13 @@ std::vector<double> ParticleSet::weights() const {
   std::vector<double> weights;
   log2linearWeights(logs, weights);
   return weights;
+}
+
+geometry::WeightedPoses ParticleSet::poses() const {
+  geometry::WeightedPoses set;
+  set.weights = weights();
+  for (const auto& p : m_particles) set.poses.push_back(p.d.map_from_robot);
+  return set;
 }
 
 void ParticleSet::prediction_and_update_pfStandardProposal(
@@ -154,12 +163,12 @@ void ParticleSet::judgeMotion(const mrpt::math::TPose2D& increment, const models
   const mrpt::math::TPose2D before = (*this)[best()].map_from_robot;
   const Eigen::Matrix3d covariance =
       (motion.covariance(before).inverse() + models::kCalibratedGain * star.information).inverse();
-  const Eigen::Matrix3d to_robot = models::turnedBy(-before.phi);
+  const Eigen::Matrix3d to_robot = geometry::turnedBy(-before.phi);
   figures_.motion_covariance = to_robot * covariance * to_robot.transpose();
   if (star.information.isZero(0))
     figures_.motion_covariance += std::hypot(increment.x, increment.y) * uncheckedDriftPerMetre();
   if (models_.motion.learn && star.match_accepted && !motion.isGiven())
-    learner_.add(increment, models::relativePose(before, star.match), before, star.information,
+    learner_.add(increment, geometry::relativePose(before, star.match), before, star.information,
                  models_.filter.proposal_gain);
 }
 

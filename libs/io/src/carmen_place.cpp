@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "ariadne/geometry/pose.h"
+
 namespace ariadne::io {
 namespace {
 
@@ -25,7 +27,7 @@ double median(std::vector<double> values) {
 }
 
 bool areSame(const TPose2D& a, const TPose2D& b) {
-  return std::hypot(a.x - b.x, a.y - b.y) < kSameOffset_m &&
+  return geometry::distance(a, b) < kSameOffset_m &&
          std::abs(wrapped(a.phi - b.phi)) < kSameOffset_rad;
 }
 

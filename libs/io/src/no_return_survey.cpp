@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "ariadne/geometry/pose.h"
+
 namespace ariadne::io {
 namespace {
 
@@ -40,7 +42,7 @@ bool NoReturnSurvey::isElsewhere(const mrpt::math::TPose2D& pose) {
   }
   moved_ |= pose.x != first_pose_.x || pose.y != first_pose_.y || pose.phi != first_pose_.phi;
   if (!moved_) return ++passed_over_ % kStandingStride == 0;
-  return std::hypot(pose.x - last_pose_.x, pose.y - last_pose_.y) >= kElsewhere_m;
+  return geometry::distance(pose, last_pose_) >= kElsewhere_m;
 }
 
 void NoReturnSurvey::add(const models::SensorStep& step, const std::vector<char>& called_valid) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ariadne/models/motion_model.h"
+#include "ariadne/geometry/pose.h"
 
 namespace ariadne::io {
 namespace {
@@ -166,7 +166,7 @@ bool OdometryTrack::locate(Waiting& scan) {
 void OdometryTrack::countJump(const models::SensorStep& step) {
   OdometryJumps& jumps = counts_.odometry_jumps;
   if (jumps.count++ > 0) return;
-  const TPose2D way = models::relativePose(last_->odom_from_robot, step.odom_from_robot);
+  const TPose2D way = geometry::relativePose(last_->odom_from_robot, step.odom_from_robot);
   jumps.scan = scans_;
   jumps.time_s = step.time_s;
   jumps.span_s = step.time_s - last_->time_s;

@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kForm = "'time1 time2 x y z roll pitch yaw'";
 
 /// Empty when the words are no relation.
-std::optional<models::Relation> parse(const std::vector<std::string_view>& words) {
+std::optional<geometry::Relation> parse(const std::vector<std::string_view>& words) {
   std::array<double, 8> v{};
   if (words.size() != v.size()) return std::nullopt;
   for (std::size_t i = 0; i < v.size(); ++i) {
@@ -23,14 +23,14 @@ std::optional<models::Relation> parse(const std::vector<std::string_view>& words
     if (!number || !(std::abs(*number) < 1e11)) return std::nullopt;
     v[i] = *number;
   }
-  return models::Relation{v[0], v[1], {v[2], v[3], v[7]}};
+  return geometry::Relation{v[0], v[1], {v[2], v[3], v[7]}};
 }
 
 }  // namespace
 
-std::vector<models::Relation> readRelations(const std::filesystem::path& path) {
+std::vector<geometry::Relation> readRelations(const std::filesystem::path& path) {
   InputFile file(path);
-  std::vector<models::Relation> relations;
+  std::vector<geometry::Relation> relations;
   std::vector<std::string_view> words;
   std::string_view line;
   bool too_long = false;

@@ -18,7 +18,7 @@ constexpr double kLatestTum_s = 1e11;  // the year 5138; nanoseconds since 1970 
 constexpr double kFarthestTum_m = 1e8;
 
 /// The pose of a line's words; on failure `problem` says what is wrong.
-bool parsePose(const std::vector<std::string_view>& words, models::StampedPose& out,
+bool parsePose(const std::vector<std::string_view>& words, geometry::StampedPose& out,
                std::string& problem) {
   std::array<double, 8> v{};
   if (words.size() != v.size()) {
@@ -48,9 +48,9 @@ bool parsePose(const std::vector<std::string_view>& words, models::StampedPose& 
 
 }  // namespace
 
-models::Trajectory readTum(const std::filesystem::path& path) {
+geometry::Trajectory readTum(const std::filesystem::path& path) {
   const std::string content = readText(path);
-  models::Trajectory trajectory;
+  geometry::Trajectory trajectory;
   std::vector<std::string_view> words;
   std::size_t line_number = 0;
   for (std::size_t begin = 0; begin < content.size();) {
@@ -60,7 +60,7 @@ models::Trajectory readTum(const std::filesystem::path& path) {
     ++line_number;
     splitFields(line, words);
     if (words.empty() || words[0][0] == '#') continue;
-    models::StampedPose pose;
+    geometry::StampedPose pose;
     std::string problem;
     if (!parsePose(words, pose, problem))
       throw core::Error(fmt::format("{}:{}: expected 'time x y z qx qy qz qw', found {}",
@@ -70,10 +70,10 @@ models::Trajectory readTum(const std::filesystem::path& path) {
   if (trajectory.empty())
     throw core::Error(
         fmt::format("{}: no pose in it; expected lines 'time x y z qx qy qz qw'", path.string()));
-  return models::sortedByTime(std::move(trajectory));
+  return geometry::sortedByTime(std::move(trajectory));
 }
 
-void writeTum(const std::filesystem::path& path, const models::Trajectory& trajectory,
+void writeTum(const std::filesystem::path& path, const geometry::Trajectory& trajectory,
               const std::vector<std::string>& header) {
   std::string text;
   auto out = std::back_inserter(text);

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "ariadne/core/error.h"
+#include "ariadne/geometry/pose.h"
 #include "ariadne/mission/reachable.h"
-#include "ariadne/models/motion_model.h"
 #include "ariadne/sim/robot.h"
 
 namespace ariadne::mission {
@@ -39,8 +39,8 @@ OccupancyGrid seeable(const sim::World& world, const TPose2D& start, const sim::
   return out;
 }
 
-OccupancyGrid sighted(const std::vector<models::SensorStep>& steps, const models::Trajectory& truth,
-                      double resolution_m) {
+OccupancyGrid sighted(const std::vector<models::SensorStep>& steps,
+                      const geometry::Trajectory& truth, double resolution_m) {
   constexpr double kMoved_m = 0.2;
   constexpr double kTurned = 0.17;
   OccupancyGrid out(paramsFor(resolution_m, 30));
@@ -48,7 +48,7 @@ OccupancyGrid sighted(const std::vector<models::SensorStep>& steps, const models
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const TPose2D& pose = truth[i].pose;
     if (before) {
-      const TPose2D moved = models::relativePose(*before, pose);
+      const TPose2D moved = geometry::relativePose(*before, pose);
       if (std::hypot(moved.x, moved.y) < kMoved_m && std::abs(moved.phi) < kTurned) continue;
     }
     before = pose;

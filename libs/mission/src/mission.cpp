@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "ariadne/explore/strategy.h"
+#include "ariadne/geometry/pose.h"
 #include "ariadne/sim/robot.h"
 #include "ariadne/sim/senses.h"
 
@@ -33,7 +34,7 @@ class Drive {
       const mrpt::math::TPose2D before = robot_.pose();
       // Held against a wall it may still turn or back off.
       touched |= !robot_.moveUntil(from_s + (time_s - from_s) * i / periods, command);
-      travelled_m_ += std::hypot(robot_.pose().x - before.x, robot_.pose().y - before.y);
+      travelled_m_ += geometry::distance(robot_.pose(), before);
     }
     return touched;
   }
@@ -67,7 +68,7 @@ MissionRecord Mission::run(const MissionListener& listener) {
   bool touched_before = false;
   record.end_reason = "stopped";
   for (std::size_t k = 0; !explorer_.done(); ++k) {
-    const models::StampedPose truth{timeOf(k), drive.robot().pose()};
+    const geometry::StampedPose truth{timeOf(k), drive.robot().pose()};
     record.truth.push_back(truth);
     record.steps.push_back(senses.next(truth, *drive.robot().scan()));
     const models::SensorStep& step = record.steps.back();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ariadne/geometry/covariance.h"
 #include "ariadne/models/motion_model.h"
 #include "ariadne/models/proposal.h"
 
@@ -34,13 +35,14 @@ void MotionLearner::add(const TPose2D& increment, const TPose2D& matched, const 
   ++steps_;
   const TPose2D mean = corrected(increment);
   const double direction = std::atan2(increment.y, increment.x);
-  const Eigen::Matrix3d to_motion = turnedBy(-(before.phi + direction));
+  const Eigen::Matrix3d to_motion = geometry::turnedBy(-(before.phi + direction));
   const Eigen::Matrix3d spread =
       (to_motion * information * to_motion.transpose() + 1e-3 * Eigen::Matrix3d::Identity())
           .inverse();
   const Eigen::Vector3d by_match =
-      turnedBy(-direction) * Eigen::Vector3d(matched.x - mean.x, matched.y - mean.y,
-                                             std::remainder(matched.phi - mean.phi, 2 * M_PI));
+      geometry::turnedBy(-direction) *
+      Eigen::Vector3d(matched.x - mean.x, matched.y - mean.y,
+                      std::remainder(matched.phi - mean.phi, 2 * M_PI));
   const Eigen::Vector3d believed = Motion(mean, params()).sigma().cwiseAbs2();
   Eigen::Vector3d off =
       by_match + spread / match_gain * believed.cwiseInverse().asDiagonal() * by_match;

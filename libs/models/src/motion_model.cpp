@@ -1,43 +1,15 @@
 #include "ariadne/models/motion_model.h"
 
 #include <mrpt/core/bits_math.h>
-#include <mrpt/math/wrap2pi.h>
 
 #include <cmath>
+
+#include "ariadne/geometry/covariance.h"
+#include "ariadne/geometry/pose.h"
 
 namespace ariadne::models {
 
 using mrpt::math::TPose2D;
-
-TPose2D relativePose(const TPose2D& a, const TPose2D& b) {
-  const double c = std::cos(a.phi);
-  const double s = std::sin(a.phi);
-  const double dx = b.x - a.x;
-  const double dy = b.y - a.y;
-  return {c * dx + s * dy, -s * dx + c * dy, mrpt::math::wrapToPi(b.phi - a.phi)};
-}
-
-TPose2D compose(const TPose2D& a, const TPose2D& b) {
-  const double c = std::cos(a.phi);
-  const double s = std::sin(a.phi);
-  return {a.x + c * b.x - s * b.y, a.y + s * b.x + c * b.y, mrpt::math::wrapToPi(a.phi + b.phi)};
-}
-
-Eigen::Matrix3d turnedBy(double angle) {
-  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-  rotation.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(angle).toRotationMatrix();
-  return rotation;
-}
-
-Eigen::Matrix3d composedCovariance(const TPose2D& a, const Eigen::Matrix3d& of_a, const TPose2D& b,
-                                   const Eigen::Matrix3d& of_b) {
-  const Eigen::Matrix3d rotation = turnedBy(a.phi);
-  const Eigen::Vector3d moved = rotation * Eigen::Vector3d(b.x, b.y, 0);
-  Eigen::Matrix3d by_a = Eigen::Matrix3d::Identity();
-  by_a(0, 2) = -moved[1];
-  by_a(1, 2) = moved[0];
-  return by_a * of_a * by_a.transpose() + rotation * of_b * rotation.transpose();
-}
 
 Motion::Motion(const TPose2D& before_from_after, const MotionParams& p)
     : increment_(before_from_after) {
@@ -58,19 +30,20 @@ TPose2D Motion::sample(const TPose2D& before, core::RandomStream& rng) const {
     const double x = rng.gaussian(), y = rng.gaussian(), turn = rng.gaussian();
     const Eigen::Matrix3d root = given_->llt().matrixL();
     const Eigen::Vector3d by = root * Eigen::Vector3d(x, y, turn);
-    return compose(before, {increment_.x + by[0], increment_.y + by[1], increment_.phi + by[2]});
+    return geometry::compose(before,
+                             {increment_.x + by[0], increment_.y + by[1], increment_.phi + by[2]});
   }
   const double along = sigma_[0] * rng.gaussian();
   const double across = sigma_[1] * rng.gaussian();
   const double turn = sigma_[2] * rng.gaussian();
   const double c = std::cos(direction_);
   const double s = std::sin(direction_);
-  return compose(before, {increment_.x + c * along - s * across,
-                          increment_.y + s * along + c * across, increment_.phi + turn});
+  return geometry::compose(before, {increment_.x + c * along - s * across,
+                                    increment_.y + s * along + c * across, increment_.phi + turn});
 }
 
 Eigen::Matrix3d Motion::covariance(const TPose2D& before) const {
-  const Eigen::Matrix3d rotation = turnedBy(before.phi + direction_);
+  const Eigen::Matrix3d rotation = geometry::turnedBy(before.phi + direction_);
   if (given_) return rotation * *given_ * rotation.transpose();
   return rotation * sigma_.cwiseAbs2().asDiagonal() * rotation.transpose();
 }

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "ariadne/models/motion_model.h"
+#include "ariadne/geometry/pose.h"
 
 namespace ariadne::models {
 namespace {
@@ -38,7 +38,7 @@ std::optional<double> JumpDetector::usualStep_m() const {
 bool JumpDetector::operator()(const TPose2D& odom_from_robot, double time_s) {
   const auto before = std::exchange(before_, Place{odom_from_robot, time_s});
   if (!before) return false;
-  const TPose2D way = relativePose(before->pose, odom_from_robot);
+  const TPose2D way = geometry::relativePose(before->pose, odom_from_robot);
   const double distance_m = std::hypot(way.x, way.y);
   const double span_s = time_s - before->time_s;
   const double speed_m_s =

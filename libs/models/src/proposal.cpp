@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "ariadne/models/motion_model.h"
+#include "ariadne/geometry/pose.h"
 
 namespace ariadne::models {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 using mrpt::math::TPose2D;
 
 TPose2D moved(const TPose2D& pose, const Eigen::Vector3d& by) {
-  return compose({pose.x + by[0], pose.y + by[1], pose.phi + by[2]}, {0, 0, 0});
+  return geometry::compose({pose.x + by[0], pose.y + by[1], pose.phi + by[2]}, {0, 0, 0});
 }
 
 }  // namespace

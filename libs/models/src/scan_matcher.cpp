@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "ariadne/geometry/pose.h"
 #include "ariadne/grid/endpoint_likelihood.h"
 #include "ariadne/grid/field_batch.h"
-#include "ariadne/models/motion_model.h"
 
 namespace ariadne::models {
 namespace {
@@ -171,7 +171,7 @@ Match ScanMatcher::operator()(const grid::OccupancyGrid& map, const std::vector<
   if (best.score < params_.search_below) tryFrom(search(problem, params_.search_distance_m));
   const bool accepted = best.cost < start.cost && best.score > start.score;
   const Candidate& chosen = accepted ? best : start;
-  return {compose(chosen.pose, {0, 0, 0}), accepted, chosen.score};
+  return {geometry::compose(chosen.pose, {0, 0, 0}), accepted, chosen.score};
 }
 
 }  // namespace ariadne::models

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "ariadne/geometry/pose.h"
 #include "ariadne/grid/endpoint_likelihood.h"
 #include "ariadne/grid/scan_shape.h"
-#include "ariadne/models/motion_model.h"
 
 namespace ariadne::models {
 namespace {
@@ -47,7 +47,7 @@ TPose2D ScanOdometry::predicted(double time_s) const {
   const double span_s = time_s - time_s_;
   if (motion_s_ <= 0 || span_s > kGoesOn_s) return pose_;
   const double share = std::clamp(span_s / motion_s_, 0.0, 2.0);
-  return compose(pose_, {share * motion_.x, share * motion_.y, share * motion_.phi});
+  return geometry::compose(pose_, {share * motion_.x, share * motion_.y, share * motion_.phi});
 }
 
 TPose2D ScanOdometry::add(const SensorStep& step) {
@@ -67,16 +67,16 @@ TPose2D ScanOdometry::add(const SensorStep& step) {
     pose_ = match.map_from_robot;
   else
     ++lost_;
-  motion_ = relativePose(from, pose_);
+  motion_ = geometry::relativePose(from, pose_);
   motion_s_ = step.time_s - time_s_;
   time_s_ = step.time_s;
-  const TPose2D way = relativePose(inserted_, pose_);
+  const TPose2D way = geometry::relativePose(inserted_, pose_);
   if (std::hypot(way.x, way.y) > kInsert_m || std::abs(way.phi) > kInsert_rad) insert(*step.scan);
   return pose_;
 }
 
 void ScanOdometry::insert(const mrpt::obs::CObservation2DRangeScan& scan) {
-  const TPose2D way = relativePose(inserted_, pose_);
+  const TPose2D way = geometry::relativePose(inserted_, pose_);
   next_m_ += std::hypot(way.x, way.y);
   if (next_m_ > kForget_m) {
     map_ = std::exchange(next_, grid::OccupancyGrid(grid_));

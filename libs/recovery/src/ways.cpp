@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ariadne/models/motion_model.h"
+#include "ariadne/geometry/pose.h"
 
 namespace ariadne::recovery {
 
@@ -26,11 +26,11 @@ AncestorPtr Ways::attach(const AncestorPtr& at_te, const AncestorPtr& source) {
   const AncestorPtr source_at_te = filter::ancestorAt(source, te_);
   for (auto it = missing.rbegin(); it != missing.rend(); ++it) {
     const Ancestor& from = **it;
-    const auto te_from_robot = models::relativePose(source_at_te->pose(), from.pose());
+    const auto te_from_robot = geometry::relativePose(source_at_te->pose(), from.pose());
     // Eq. (13)
-    leaf = std::make_shared<Ancestor>(
-        leaf, from.step(), models::compose(at_te->pose(), te_from_robot), from.logWeight(),
-        from.motion());
+    leaf = std::make_shared<Ancestor>(leaf, from.step(),
+                                      geometry::compose(at_te->pose(), te_from_robot),
+                                      from.logWeight(), from.motion());
     copies.emplace(&from, leaf);
   }
   return leaf;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ariadne/geometry/pose.h"
+
 namespace ariadne::report {
 namespace {
 
@@ -29,8 +31,7 @@ std::vector<TPoint2Df> drawnPath(const filter::AncestorPtr& leaf, double spacing
   std::reverse(line.begin(), line.end());
   std::vector<TPoint2Df> kept;
   for (const TPoint2Df& p : line)
-    if (kept.empty() || std::hypot(p.x - kept.back().x, p.y - kept.back().y) >= spacing_m)
-      kept.push_back(p);
+    if (kept.empty() || geometry::distance(p, kept.back()) >= spacing_m) kept.push_back(p);
   if (!line.empty() && kept.back() != line.back()) kept.push_back(line.back());
   return kept;
 }

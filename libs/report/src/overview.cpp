@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "ariadne/geometry/trajectory.h"
 #include "map_picture.h"
 
 namespace ariadne::report {
@@ -20,7 +21,7 @@ void setTimeColour(cairo_t* cr, double share) {
 
 /// Every pose takes the same share of the colours: a log with a pause of hours would be all blue
 /// and red by the clock.
-void drawPath(cairo_t* cr, const models::Trajectory& path, const View& view) {
+void drawPath(cairo_t* cr, const geometry::Trajectory& path, const View& view) {
   constexpr std::size_t kColours = 64;
   if (path.size() < 2) return;
   cairo_set_line_width(cr, 2);
@@ -49,13 +50,6 @@ void drawDot(cairo_t* cr, double x, double y, double time_share) {
   cairo_stroke(cr);
 }
 
-double lengthOf(const models::Trajectory& path) {
-  double sum = 0;
-  for (std::size_t i = 1; i < path.size(); ++i)
-    sum += std::hypot(path[i].pose.x - path[i - 1].pose.x, path[i].pose.y - path[i - 1].pose.y);
-  return sum;
-}
-
 /// Start, colours from start to end, end; from x on, on the footer's line.
 void drawLegend(MapPicture& picture, double x, double seconds) {
   constexpr int kBarWidth = 96;
@@ -72,21 +66,22 @@ void drawLegend(MapPicture& picture, double x, double seconds) {
   picture.drawText(x + kBarWidth + 30, fmt::format("end, {:.0f} s later", seconds));
 }
 
-void drawFooter(MapPicture& picture, const models::Trajectory& path) {
+void drawFooter(MapPicture& picture, const geometry::Trajectory& path) {
   picture.drawScaleBar();
   if (path.empty()) {
     picture.drawText(picture.view().margin, picture.sizeText());
     return;
   }
   const double x = picture.drawText(
-      picture.view().margin, fmt::format("{}, path {:.1f} m", picture.sizeText(), lengthOf(path)));
-  drawLegend(picture, x + 24, models::durationOf(path));
+      picture.view().margin,
+      fmt::format("{}, path {:.1f} m", picture.sizeText(), geometry::lengthOf(path)));
+  drawLegend(picture, x + 24, geometry::durationOf(path));
 }
 
 }  // namespace
 
 void writeOverview(const std::filesystem::path& file, const mrpt::maps::COccupancyGridMap2D& map,
-                   const models::Trajectory& path) {
+                   const geometry::Trajectory& path) {
   MapPicture picture(file, map);
   drawPath(picture.context(), path, picture.view());
   if (!path.empty()) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ariadne/eval/pose_entropy.h"
+#include "ariadne/geometry/pose.h"
 #include "drawn_parts.h"
 #include "map_film.h"
 #include "map_halving.h"
@@ -18,11 +19,11 @@ namespace {
 double lastWay(const filter::Ancestor& leaf) {
   if (!leaf.parent()) return 0;
   const auto& from = leaf.parent()->pose();
-  return std::hypot(leaf.pose().x - from.x, leaf.pose().y - from.y);
+  return geometry::distance(leaf.pose(), from);
 }
 
 double poseEntropy(const FilterView& view) {
-  eval::WeightedPoses now;
+  geometry::WeightedPoses now;
   now.weights = view.weights;
   for (const filter::Particle* p : view.particles) now.poses.push_back(p->map_from_robot);
   return eval::gaussianEntropy(now);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ariadne/geometry/pose.h"
+
 namespace ariadne::sim {
 namespace {
 
@@ -19,8 +21,6 @@ constexpr double kTurnGain = 2.5;  // rad/s per rad; damped with the motors' lag
 constexpr double kBrakeGain = 1;   // m/s per m before a corner
 constexpr double kCornerSpeed_m_s = 0.2;
 
-double distance(const TPoint2D& a, double x, double y) { return std::hypot(a.x - x, a.y - y); }
-
 }  // namespace
 
 Follower::Follower(const std::vector<Waypoint>& waypoints, const TPose2D& start,
@@ -31,7 +31,7 @@ Follower::Follower(const std::vector<Waypoint>& waypoints, const TPose2D& start,
       leg_from_(start.x, start.y) {}
 
 void Follower::see(const TPose2D& robot) {
-  while (!done() && distance(target(), robot.x, robot.y) <= kReached_m) {
+  while (!done() && geometry::distance(target(), robot) <= kReached_m) {
     leg_from_ = target();
     ++reached_;
   }
@@ -69,7 +69,7 @@ models::VelocityCommand Follower::command(const TPose2D& robot) {
   turning_ = std::abs(error) > (turning_ ? kEndTurn : kBeginTurn);
   models::VelocityCommand out;
   out.turn_rad_s = std::clamp(kTurnGain * error, -fastest_turn_, fastest_turn_);
-  if (!turning_) out.forward_m_s = speedTo(distance(target(), robot.x, robot.y)) * std::cos(error);
+  if (!turning_) out.forward_m_s = speedTo(geometry::distance(target(), robot)) * std::cos(error);
   return out;
 }
 
@@ -78,7 +78,7 @@ double Follower::patience(const TPose2D& robot) const {
   constexpr double kMargin_s = 10;
   const double slowest = std::min(params_.speed_m_s, kCornerSpeed_m_s);
   const double corners_s = 2 * kLookahead_m / slowest + 4 * M_PI / fastest_turn_;
-  return kMargin_s + corners_s + 2 * distance(target(), robot.x, robot.y) / params_.speed_m_s;
+  return kMargin_s + corners_s + 2 * geometry::distance(target(), robot) / params_.speed_m_s;
 }
 
 }  // namespace ariadne::sim

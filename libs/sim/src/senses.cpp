@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "ariadne/core/random.h"
-#include "ariadne/models/motion_model.h"
+#include "ariadne/geometry/pose.h"
 
 namespace ariadne::sim {
 namespace {
@@ -50,12 +50,12 @@ Senses::Senses(const NoiseParams& noise, std::uint64_t seed) : noise_(noise), se
   core::validateFields(noise, "noise");
 }
 
-models::SensorStep Senses::next(const models::StampedPose& truth,
+models::SensorStep Senses::next(const geometry::StampedPose& truth,
                                 const CObservation2DRangeScan& clean) {
   if (step_ > 0)
     odometry_ =
-        models::compose(odometry_, withNoise(models::relativePose(before_, truth.pose), noise_,
-                                             RandomStream(seed_, step_, 0, Purpose::noise)));
+        geometry::compose(odometry_, withNoise(geometry::relativePose(before_, truth.pose), noise_,
+                                               RandomStream(seed_, step_, 0, Purpose::noise)));
   before_ = truth.pose;
   const auto scan =
       withNoise(clean, noise_.range_sigma_m, RandomStream(seed_, step_, 0, Purpose::range_noise));

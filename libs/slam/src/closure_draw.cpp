@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ariadne/models/motion_model.h"
+#include "ariadne/geometry/pose.h"
 
 namespace ariadne::slam {
 namespace {
@@ -48,8 +48,8 @@ recovery::RecoveredSet drawGiven(const closure::Closure& found, const closure::F
   inputs.parallel.forEach(n, [&](std::size_t i) {
     const Track track = finder.trackOf(particles[i].ancestor);
     std::vector<closure::Tie> ties = closure::tiesOf(track, finder.contacts());
-    const auto off = models::relativePose(
-        models::compose(track.poses[found.anchor], found.anchor_from_robot), track.poses.back());
+    const auto off = geometry::relativePose(
+        geometry::compose(track.poses[found.anchor], found.anchor_from_robot), track.poses.back());
     ties.push_back({found.anchor, track.now(), found.anchor_from_robot, found.information, false});
     core::RandomStream rng(inputs.seed, static_cast<std::uint32_t>(particles.step()),
                            static_cast<std::uint32_t>(i), core::Purpose::closure);

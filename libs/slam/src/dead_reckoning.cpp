@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ariadne/geometry/covariance.h"
+#include "ariadne/geometry/pose.h"
 #include "ariadne/models/motion_model.h"
 
 namespace ariadne::slam {
@@ -16,7 +18,7 @@ constexpr double kGoesOn_s = 1;
 constexpr double kPart_m = 1;
 constexpr double kPart_rad = M_PI / 3;
 
-TPose2D inverse(const TPose2D& pose) { return models::relativePose(pose, {0, 0, 0}); }
+TPose2D inverse(const TPose2D& pose) { return geometry::relativePose(pose, {0, 0, 0}); }
 
 }  // namespace
 
@@ -24,7 +26,7 @@ TPose2D DeadReckoning::throughJump(double time_s) const {
   const double span_s = time_s - last_->time_s;
   if (!(span_s >= 0 && span_s <= kGoesOn_s && last_motion_s_ > 0)) return here_;
   const double share = std::min(span_s / last_motion_s_, 2.0);
-  return models::compose(
+  return geometry::compose(
       here_, {share * last_motion_.x, share * last_motion_.y, share * last_motion_.phi});
 }
 
@@ -32,20 +34,20 @@ TPose2D DeadReckoning::add(const models::SensorStep& step) {
   const bool first = !last_;
   const TPose2D before = here_;
   if (first || !step.odometry_jumped) {
-    here_ =
-        corrected_ ? models::compose(here_from_odom_, step.odom_from_robot) : step.odom_from_robot;
+    here_ = corrected_ ? geometry::compose(here_from_odom_, step.odom_from_robot)
+                       : step.odom_from_robot;
     if (!first) {
-      last_motion_ = models::relativePose(before, here_);
+      last_motion_ = geometry::relativePose(before, here_);
       last_motion_s_ = step.time_s - last_->time_s;
     }
   } else {
     if (!doubt_) doubt_.emplace();
-    const TPose2D claimed = models::relativePose(last_->odom_from_robot, step.odom_from_robot);
-    doubt_->claimed = models::compose(sinceUpdate(), claimed);
+    const TPose2D claimed = geometry::relativePose(last_->odom_from_robot, step.odom_from_robot);
+    doubt_->claimed = geometry::compose(sinceUpdate(), claimed);
     doubt_->gap_s = std::max(doubt_->gap_s, step.time_s - last_->time_s);
     here_ = throughJump(step.time_s);
     corrected_ = true;
-    here_from_odom_ = models::compose(here_, inverse(step.odom_from_robot));
+    here_from_odom_ = geometry::compose(here_, inverse(step.odom_from_robot));
   }
   last_ = step;
   last_->scan.reset();
@@ -53,12 +55,12 @@ TPose2D DeadReckoning::add(const models::SensorStep& step) {
 }
 
 void DeadReckoning::passBlind() {
-  const TPose2D way = models::relativePose(at_part_, here_);
+  const TPose2D way = geometry::relativePose(at_part_, here_);
   if (std::hypot(way.x, way.y) < kPart_m && std::abs(way.phi) < kPart_rad) return;
   if (!doubt_) doubt_.emplace();
   const Eigen::Matrix3d of_way = models::Motion(way, motion_).covariance({0, 0, 0});
-  doubt_->covariance = models::composedCovariance(models::relativePose(at_update_, at_part_),
-                                                  doubt_->covariance, way, of_way);
+  doubt_->covariance = geometry::composedCovariance(geometry::relativePose(at_update_, at_part_),
+                                                    doubt_->covariance, way, of_way);
   doubt_->blind = true;
   at_part_ = here_;
 }
@@ -67,15 +69,15 @@ void DeadReckoning::update(const TPose2D& here) {
   if (!(here == here_)) {
     corrected_ = true;
     here_ = here;
-    here_from_odom_ = models::compose(here, inverse(last_->odom_from_robot));
+    here_from_odom_ = geometry::compose(here, inverse(last_->odom_from_robot));
   }
   at_update_ = at_part_ = here_;
   doubt_.reset();
 }
 
-TPose2D DeadReckoning::sinceUpdate() const { return models::relativePose(at_update_, here_); }
+TPose2D DeadReckoning::sinceUpdate() const { return geometry::relativePose(at_update_, here_); }
 TPose2D DeadReckoning::afterUpdate(const TPose2D& way) const {
-  return models::compose(at_update_, way);
+  return geometry::compose(at_update_, way);
 }
 
 }  // namespace ariadne::slam

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "ariadne/geometry/pose.h"
 #include "ariadne/recovery/recover.h"
 #include "closure_draw.h"
 #include "set_figures.h"
@@ -69,10 +70,9 @@ closing::ClosingStep LoopCloser::figuresOf(const filter::ParticleSet& particles,
   const filter::Ancestor& here = *particles[report.best].ancestor;
   double travelled = travelled_m_.empty() ? 0 : travelled_m_.back();
   if (const auto& before = here.parent())
-    travelled += std::hypot(here.pose().x - before->pose().x, here.pose().y - before->pose().y);
+    travelled += geometry::distance(here.pose(), before->pose());
   travelled_m_.push_back(travelled);
-  past_.push_back(
-      {posesOf(particles), filter::distinctAncestors(leavesOf(particles), report.step)});
+  past_.push_back({particles.poses(), filter::distinctAncestors(leavesOf(particles), report.step)});
   return {travelled, report.neff, static_cast<double>(report.particles), report.resampled,
           spreadOf(past_.back().particles)};
 }

@@ -15,6 +15,7 @@
 #include "ariadne/core/parallel.h"
 #include "ariadne/core/random.h"
 #include "ariadne/filter/particle_set.h"
+#include "ariadne/geometry/pose.h"
 #include "ariadne/grid/conversion.h"
 #include "ariadne/grid/scan_shape.h"
 #include "ariadne/slam/loop_closer.h"
@@ -236,16 +237,16 @@ mrpt::maps::COccupancyGridMap2D Mapper::map() const {
   return grid::toMrpt(impl_->particles[impl_->particles.best()].map);
 }
 
-models::Trajectory Mapper::path() const { return pathOf(impl_->particles.best()); }
+geometry::Trajectory Mapper::path() const { return pathOf(impl_->particles.best()); }
 
-models::Trajectory Mapper::pathOf(std::size_t particle) const {
+geometry::Trajectory Mapper::pathOf(std::size_t particle) const {
   return posePath(impl_->records, impl_->particles[particle].ancestor);
 }
 
 TPose2D Mapper::pose() const {
   const TPose2D& last = impl_->particles[impl_->particles.best()].map_from_robot;
   if (impl_->scans.empty()) return last;
-  return models::compose(last, impl_->reckoning.sinceUpdate());
+  return geometry::compose(last, impl_->reckoning.sinceUpdate());
 }
 
 const filter::ParticleSet& Mapper::particles() const { return impl_->particles; }

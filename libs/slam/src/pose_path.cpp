@@ -3,18 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ariadne/models/motion_model.h"
+#include "ariadne/geometry/pose.h"
 
 namespace ariadne::slam {
 namespace {
 
 using mrpt::math::TPose2D;
 
-double distance(const TPose2D& a, const TPose2D& b) { return std::hypot(a.x - b.x, a.y - b.y); }
-
 TPose2D blend(const TPose2D& a, const TPose2D& b, double share) {
   const double turn = std::remainder(b.phi - a.phi, 2 * M_PI);
-  return models::compose(
+  return geometry::compose(
       {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.phi + share * turn}, {0, 0, 0});
 }
 
@@ -23,7 +21,7 @@ struct Anchor {
   TPose2D odom;
   TPose2D pose;
   TPose2D follow(const TPose2D& to) const {
-    return models::compose(pose, models::relativePose(odom, to));
+    return geometry::compose(pose, geometry::relativePose(odom, to));
   }
 };
 
@@ -41,10 +39,10 @@ std::vector<Anchor> anchorsOf(const std::vector<OdometryRecord>& records,
 
 }  // namespace
 
-models::Trajectory posePath(const std::vector<OdometryRecord>& records,
-                            const filter::AncestorPtr& leaf) {
+geometry::Trajectory posePath(const std::vector<OdometryRecord>& records,
+                              const filter::AncestorPtr& leaf) {
   const std::vector<Anchor> anchors = anchorsOf(records, leaf);
-  models::Trajectory path;
+  geometry::Trajectory path;
   path.reserve(records.size());
   for (const OdometryRecord& r : records) {
     TPose2D pose = r.odom_from_robot;
@@ -53,8 +51,8 @@ models::Trajectory posePath(const std::vector<OdometryRecord>& records,
       pose = before.follow(r.odom_from_robot);
       if (r.updates > 0 && r.updates < anchors.size() && !r.is_update) {
         const Anchor& after = anchors[r.updates];
-        const double done = distance(before.odom, r.odom_from_robot);
-        const double left = distance(r.odom_from_robot, after.odom);
+        const double done = geometry::distance(before.odom, r.odom_from_robot);
+        const double left = geometry::distance(r.odom_from_robot, after.odom);
         const double share = done + left > 0 ? done / (done + left) : 0;
         pose = blend(pose, after.follow(r.odom_from_robot), share);
       }

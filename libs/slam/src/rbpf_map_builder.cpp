@@ -12,7 +12,7 @@
 #include <type_traits>
 
 #include "ariadne/core/error.h"
-#include "ariadne/models/motion_model.h"
+#include "ariadne/geometry/pose.h"
 
 namespace ariadne::slam {
 namespace {
@@ -73,7 +73,7 @@ void RbpfMapBuilder::initialize(const mrpt::maps::CSimpleMap& initial_map,
 void RbpfMapBuilder::processActionObservation(mrpt::obs::CActionCollection& action,
                                               mrpt::obs::CSensoryFrame& observations) {
   if (const auto movement = movementOf(action))
-    odom_from_robot_ = models::compose(odom_from_robot_, *movement);
+    odom_from_robot_ = geometry::compose(odom_from_robot_, *movement);
   else
     MRPT_LOG_WARN("Action contains no odometry.");
   models::SensorStep step;
@@ -94,10 +94,10 @@ void RbpfMapBuilder::processActionObservation(mrpt::obs::CActionCollection& acti
 
 mrpt::poses::CPose3DPDF::Ptr RbpfMapBuilder::getCurrentPoseEstimation() const {
   const auto& particles = mapper_->particles();
-  const TPose2D since = models::relativePose(odom_at_update_, odom_from_robot_);
+  const TPose2D since = geometry::relativePose(odom_at_update_, odom_from_robot_);
   auto pdf = mrpt::poses::CPose3DPDFParticles::Create(particles.size());
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    pdf->m_particles[i].d = TPose3D(models::compose(particles[i].map_from_robot, since));
+    pdf->m_particles[i].d = TPose3D(geometry::compose(particles[i].map_from_robot, since));
     pdf->m_particles[i].log_w = particles.getW(i);
   }
   return pdf;

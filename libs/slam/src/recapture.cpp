@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ariadne/geometry/pose.h"
 #include "ariadne/grid/endpoint_likelihood.h"
-#include "ariadne/models/motion_model.h"
 #include "ariadne/models/scan_matcher.h"
 
 namespace ariadne::slam {
@@ -64,10 +64,10 @@ Recaptured Recapture::operator()(const filter::Particle& particle,
     wide.sweep_below = wide.search_below = 1;
     const Eigen::Matrix3d prior = diagonal(window.distance_m / 2, DEG2RAD(window.angle_deg / 2));
     return models::ScanMatcher(wide, gain_)(
-        particle.map, points, models::compose(particle.map_from_robot, motion), prior);
+        particle.map, points, geometry::compose(particle.map_from_robot, motion), prior);
   };
   const auto motionTo = [&](const models::Match& match) {
-    return models::relativePose(particle.map_from_robot, match.map_from_robot);
+    return geometry::relativePose(particle.map_from_robot, match.map_from_robot);
   };
   for (const Window& window : windowsFor(doubt)) {
     const models::Match match = lookAbout(expected, window);

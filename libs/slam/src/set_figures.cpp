@@ -10,16 +10,8 @@ std::vector<filter::AncestorPtr> leavesOf(const filter::ParticleSet& particles) 
   return leaves;
 }
 
-WeightedPoses posesOf(const filter::ParticleSet& particles) {
-  WeightedPoses set;
-  set.weights = particles.weights();
-  for (std::size_t i = 0; i < particles.size(); ++i)
-    set.poses.push_back(particles[i].map_from_robot);
-  return set;
-}
-
-WeightedPoses posesOf(const recovery::SavedSet& saved) {
-  WeightedPoses set;
+geometry::WeightedPoses posesOf(const recovery::SavedSet& saved) {
+  geometry::WeightedPoses set;
   for (const recovery::SavedEntry& e : saved.entries) {
     set.poses.push_back(e.at_te->pose());
     set.weights.push_back(e.weight);
@@ -27,7 +19,7 @@ WeightedPoses posesOf(const recovery::SavedSet& saved) {
   return set;
 }
 
-double spreadOf(const WeightedPoses& set) {
+double spreadOf(const geometry::WeightedPoses& set) {
   double x = 0;
   double y = 0;
   for (std::size_t i = 0; i < set.poses.size(); ++i) {

@@ -3,16 +3,16 @@
 #include <vector>
 
 #include "ariadne/filter/particle_set.h"
+#include "ariadne/geometry/weighted_poses.h"
 #include "ariadne/recovery/saved_set.h"
 #include "ariadne/slam/closing_record.h"
 
 namespace ariadne::slam {
 
 std::vector<filter::AncestorPtr> leavesOf(const filter::ParticleSet& particles);
-WeightedPoses posesOf(const filter::ParticleSet& particles);
 /// As of te.
-WeightedPoses posesOf(const recovery::SavedSet& saved);
+geometry::WeightedPoses posesOf(const recovery::SavedSet& saved);
 /// Root of the trace of the weighted covariance of the positions, m.
-double spreadOf(const WeightedPoses& set);
+double spreadOf(const geometry::WeightedPoses& set);
 
 }  // namespace ariadne::slam

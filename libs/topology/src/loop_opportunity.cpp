@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ariadne/core/error.h"
+#include "ariadne/geometry/pose.h"
 #include "ariadne/grid/free_distance.h"
 
 namespace ariadne::topology {
@@ -28,7 +29,7 @@ std::optional<LoopOpportunity> findOpportunity(const PlaceGraph& graph,
   for (std::uint32_t i = 0; i < graph.places().size(); ++i) {
     const Place& place = graph.places()[i];
     // The straight line is a lower bound of dist_m.
-    const double line = std::hypot(place.position.x - position.x, place.position.y - position.y);
+    const double line = geometry::distance(place.position, position);
     // Eq. (7), but for dist_m, which is dear.
     if (dist_g[i] > params.c2_m && line < params.c1_m && counts(place)) candidates.push_back(i);
   }

@@ -7,14 +7,13 @@
 #include <queue>
 #include <stdexcept>
 
+#include "ariadne/geometry/pose.h"
 #include "ariadne/grid/line_of_sight.h"
 
 namespace ariadne::topology {
 namespace {
 
 using mrpt::math::TPoint2D;
-
-double distance(const TPoint2D& a, const TPoint2D& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 struct Near {
   double distance_m;
@@ -32,7 +31,7 @@ std::vector<Near> placesNear(const SharedList<Place>& places, const TPoint2D& p,
   places.forEach([&](const Place& place) {
     const double dx = place.position.x - p.x;
     const double dy = place.position.y - p.y;
-    if (dx * dx + dy * dy <= range2) near.push_back({distance(place.position, p), i});
+    if (dx * dx + dy * dy <= range2) near.push_back({geometry::distance(place.position, p), i});
     ++i;
   });
   std::sort(near.begin(), near.end());
@@ -63,7 +62,8 @@ bool PlaceGraph::observesAny(const TPoint2D& position, const grid::OccupancyGrid
                              double range_m) const {
   if (visits_.empty()) return false;
   const auto observes = [&](const Place& p) {
-    return distance(p.position, position) <= range_m && grid::inSight(map, position, p.position);
+    return geometry::distance(p.position, position) <= range_m &&
+           grid::inSight(map, position, p.position);
   };
   if (observes(places_[visits_.back().place])) return true;  // mostly
   for (std::size_t i = 0; i < places_.size(); ++i)
@@ -74,7 +74,9 @@ bool PlaceGraph::observesAny(const TPoint2D& position, const grid::OccupancyGrid
 void PlaceGraph::extend(const TPoint2D& position, const grid::OccupancyGrid& map,
                         const PlaceParams& params) {
   const double travelled =
-      visits_.empty() ? 0 : visits_.back().stub_m + distance(visits_.back().position, position);
+      visits_.empty()
+          ? 0
+          : visits_.back().stub_m + geometry::distance(visits_.back().position, position);
   for (const Near& near : placesNear(places_, position, params.visit_radius_m)) {
     if (!grid::inSight(map, position, places_[near.place].position)) continue;
     arriveAt(near.place, travelled + near.distance_m);
@@ -94,9 +96,10 @@ void PlaceGraph::extend(const TPoint2D& position, const grid::OccupancyGrid& map
 void PlaceGraph::close(std::uint32_t place) {
   const std::uint32_t here = visits_.back().place;
   if (here == place || joined(here, place)) return;
-  edges_.push_back({here, place,
-                    static_cast<float>(distance(places_[here].position, places_[place].position)),
-                    static_cast<std::uint32_t>(visits_.size() - 1)});
+  edges_.push_back(
+      {here, place,
+       static_cast<float>(geometry::distance(places_[here].position, places_[place].position)),
+       static_cast<std::uint32_t>(visits_.size() - 1)});
 }
 
 PlaceGraph PlaceGraph::asOf(std::size_t step) const {

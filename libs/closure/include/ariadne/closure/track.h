@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ariadne/filter/ancestry.h"
+#include "ariadne/geometry/pose.h"
 #include "ariadne/grid/scan_shape.h"
 
 namespace ariadne::closure {
@@ -31,10 +32,5 @@ struct Track {
 /// @param motion_covariance of all updates up to the leaf's at the least, or empty
 Track trackOf(const filter::AncestorPtr& leaf,
               const std::vector<Eigen::Matrix3d>& motion_covariance);
-
-mrpt::math::TPoint2D placed(const mrpt::math::TPose2D& pose, const mrpt::math::TPoint2D& p);
-std::vector<mrpt::math::TPoint2D> placed(const mrpt::math::TPose2D& pose,
-                                         const std::vector<mrpt::math::TPoint2D>& points);
-double distance(const mrpt::math::TPose2D& a, const mrpt::math::TPose2D& b);
 
 }  // namespace ariadne::closure

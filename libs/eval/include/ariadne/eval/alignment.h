@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "ariadne/models/stamped_pose.h"
+#include "ariadne/geometry/trajectory.h"
 
 namespace ariadne::eval {
 
@@ -17,11 +17,11 @@ struct PosePair {
 /// heading along the shorter arc), where these are at most `max_gap_s` apart, or a single one
 /// within max_gap_s / 2 at the ends. Both must be in time order. Truth without an estimate gives no
 /// pair.
-std::vector<PosePair> associate(const models::Trajectory& estimate, const models::Trajectory& truth,
-                                double max_gap_s);
+std::vector<PosePair> associate(const geometry::Trajectory& estimate,
+                                const geometry::Trajectory& truth, double max_gap_s);
 
 /// Pose of the estimate at a time, as associate() takes it. False when there is none.
-bool poseAt(const models::Trajectory& estimate, double time_s, double max_gap_s,
+bool poseAt(const geometry::Trajectory& estimate, double time_s, double max_gap_s,
             mrpt::math::TPose2D& pose);
 
 /// truth_from_estimate that minimises the squared distances between the pairs' positions; rotation

@@ -6,7 +6,7 @@
 // themselves.
 #pragma once
 #include "ariadne/core/fields.h"
-#include "ariadne/eval/weighted_poses.h"
+#include "ariadne/geometry/weighted_poses.h"
 
 namespace ariadne::eval {
 
@@ -44,7 +44,7 @@ struct Divergence {
 /// 1 / (N_p h^2 p(x)) / (2 pi): take sets of one size where sets are compared.
 /// lost_mass: d > lost_bandwidths to every sample of q that has weight. Time grows with N_p N_q.
 /// Throws core::Error for sets that are not normalised, core::UsageError for parameters.
-Divergence divergence(const WeightedPoses& p, const WeightedPoses& q,
+Divergence divergence(const geometry::WeightedPoses& p, const geometry::WeightedPoses& q,
                       const KernelParams& params = {});
 
 }  // namespace ariadne::eval

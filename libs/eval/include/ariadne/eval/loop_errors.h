@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ariadne/core/fields.h"
-#include "ariadne/models/stamped_pose.h"
+#include "ariadne/geometry/trajectory.h"
 
 namespace ariadne::eval {
 
@@ -59,7 +59,7 @@ struct LoopErrors {
 /// @param truth in time order, map frame
 /// @param max_gap_s as in associate(); 0 for equal stamps only
 /// Throws core::UsageError for parameters out of bounds, or unless near_m < apart_m.
-LoopErrors loopErrors(const models::Trajectory& estimate, const models::Trajectory& truth,
+LoopErrors loopErrors(const geometry::Trajectory& estimate, const geometry::Trajectory& truth,
                       double max_gap_s, const LoopParams& params = {});
 
 /// True when no true closure is unmatched and none is over a bound. A path without a loop is

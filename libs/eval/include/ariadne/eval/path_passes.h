@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "ariadne/models/stamped_pose.h"
+#include "ariadne/geometry/trajectory.h"
 
 namespace ariadne::eval {
 
@@ -24,7 +24,7 @@ struct PathPoint {
 /// Points along the path, straight between its poses. Quadratic in their number.
 /// @param path in time order. Throws core::UsageError for none, or parameters that are not
 /// positive.
-std::vector<PathPoint> pathPasses(const models::Trajectory& path, const PassParams& params = {});
+std::vector<PathPoint> pathPasses(const geometry::Trajectory& path, const PassParams& params = {});
 
 /// The point nearest in time. `points` must not be empty.
 const PathPoint& pointAt(const std::vector<PathPoint>& points, double time_s);

@@ -3,8 +3,8 @@
 #include <Eigen/Dense>
 #include <vector>
 
-#include "ariadne/eval/weighted_poses.h"
 #include "ariadne/filter/ancestry.h"
+#include "ariadne/geometry/weighted_poses.h"
 
 namespace ariadne::eval {
 
@@ -19,12 +19,12 @@ struct EntropyFloor {
 
 /// Weighted covariance (divided by the sum of weights, 1) of (x, y, heading), m and rad, about the
 /// weighted mean; the heading's mean is the direction of the mean of unit vectors and its residuals
-/// are the shorter arcs to it. No floor. Throws as checkWeightedPoses() does.
-Eigen::Matrix3d poseCovariance(const WeightedPoses& set);
+/// are the shorter arcs to it. No floor. Throws as geometry::checkWeightedPoses() does.
+Eigen::Matrix3d poseCovariance(const geometry::WeightedPoses& set);
 
 /// ln((2 pi e)^3 det(S + F)) / 2 in nats, S the covariance above and F the floor's.
 /// Throws core::Error for a set that is not normalised, core::UsageError for a floor not over 0.
-double gaussianEntropy(const WeightedPoses& set, const EntropyFloor& floor = {});
+double gaussianEntropy(const geometry::WeightedPoses& set, const EntropyFloor& floor = {});
 
 /// Mean over the steps of the path of gaussianEntropy() of the ancestors at the step, an ancestor
 /// weighing what its descendants do; nats a pose. The bound H(x_1:t) <= sum of H(x_k), divided by

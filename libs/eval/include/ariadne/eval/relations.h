@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ariadne/eval/errors.h"
+#include "ariadne/geometry/trajectory.h"
 
 namespace ariadne::eval {
 
@@ -15,7 +16,7 @@ struct RelationErrors {
 };
 
 /// @param max_gap_s as in associate(); 0 takes poses with exactly the relations' stamps only
-RelationErrors relationErrors(const models::Trajectory& estimate,
-                              const std::vector<models::Relation>& relations, double max_gap_s);
+RelationErrors relationErrors(const geometry::Trajectory& estimate,
+                              const std::vector<geometry::Relation>& relations, double max_gap_s);
 
 }  // namespace ariadne::eval

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "ariadne/geometry/pose.h"
+
 namespace ariadne::explore {
 
 class BelievedWay {
@@ -15,8 +17,7 @@ class BelievedWay {
 
   void add(const mrpt::math::TPose2D& map_from_robot) {
     if (before_) {
-      travelled_m_ += std::min(
-          std::hypot(map_from_robot.x - before_->x, map_from_robot.y - before_->y), most_m_);
+      travelled_m_ += std::min(geometry::distance(map_from_robot, *before_), most_m_);
       turned_rad_ += std::abs(std::remainder(map_from_robot.phi - before_->phi, 2 * M_PI));
     }
     before_ = map_from_robot;

@@ -12,6 +12,7 @@
 #include "ariadne/filter/params.h"
 #include "ariadne/filter/particle.h"
 #include "ariadne/filter/recent_scans.h"
+#include "ariadne/geometry/weighted_poses.h"
 #include "ariadne/grid/endpoint_likelihood.h"
 #include "ariadne/models/motion_learner.h"
 #include "ariadne/models/motion_model.h"
@@ -48,6 +49,9 @@ class ParticleSet
   std::size_t best() const;
   /// Normalised weights, summing to 1.
   std::vector<double> weights() const;
+
+  /// map_from_robot of all particles, with their normalised weights.
+  geometry::WeightedPoses poses() const;
 
   /// Index, before the resampling of the last update, of each particle's parent; its own where
   /// there was none.

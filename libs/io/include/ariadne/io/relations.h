@@ -4,12 +4,12 @@
 #include <filesystem>
 #include <vector>
 
-#include "ariadne/models/stamped_pose.h"
+#include "ariadne/geometry/trajectory.h"
 
 namespace ariadne::io {
 
 /// Seconds, metres, radians; of a motion in space x, y and yaw are kept. Throws core::Error naming
 /// file and line for anything but eight finite numbers a line, and for a file without a relation.
-std::vector<models::Relation> readRelations(const std::filesystem::path& path);
+std::vector<geometry::Relation> readRelations(const std::filesystem::path& path);
 
 }  // namespace ariadne::io

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ariadne/models/stamped_pose.h"
+#include "ariadne/geometry/trajectory.h"
 
 namespace ariadne::io {
 
@@ -13,11 +13,11 @@ namespace ariadne::io {
 /// radians. Of a pose in space x, y and the heading are kept.
 /// Throws core::Error naming file and line for anything but eight finite numbers a line, a
 /// quaternion of length 0, times or places out of reason, and for a file without a pose.
-models::Trajectory readTum(const std::filesystem::path& path);
+geometry::Trajectory readTum(const std::filesystem::path& path);
 
 /// Writes the poses (z = 0), each of `header` as a comment line before them. Stamps have 7
 /// decimals, so UNIX times read back as the same double. Throws core::Error naming the path.
-void writeTum(const std::filesystem::path& path, const models::Trajectory& trajectory,
+void writeTum(const std::filesystem::path& path, const geometry::Trajectory& trajectory,
               const std::vector<std::string>& header = {});
 
 }  // namespace ariadne::io

@@ -2,9 +2,9 @@
 #pragma once
 #include <vector>
 
+#include "ariadne/geometry/trajectory.h"
 #include "ariadne/grid/occupancy_grid.h"
 #include "ariadne/models/sensor_step.h"
-#include "ariadne/models/stamped_pose.h"
 #include "ariadne/sim/params.h"
 #include "ariadne/sim/world.h"
 
@@ -19,11 +19,11 @@ grid::OccupancyGrid seeable(const sim::World& world, const mrpt::math::TPose2D& 
 /// What the robot's scans saw from where it truly was. Frame of the world.
 /// @param truth world_from_robot, one a step
 grid::OccupancyGrid sighted(const std::vector<models::SensorStep>& steps,
-                            const models::Trajectory& truth, double resolution_m);
+                            const geometry::Trajectory& truth, double resolution_m);
 
-/// Share of the cells of floor that are free in `seeable` which are known in `sighted`, 0 to 1; both
-/// have the same resolution. Beams at grazing angles end behind the wall's face: what they clear
-/// there does not count. 1 when there is no such cell.
+/// Share of the cells of floor that are free in `seeable` which are known in `sighted`, 0 to 1;
+/// both have the same resolution. Beams at grazing angles end behind the wall's face: what they
+/// clear there does not count. 1 when there is no such cell.
 double coverage(const sim::World& world, const grid::OccupancyGrid& seeable,
                 const grid::OccupancyGrid& sighted);
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ariadne/explore/explorer.h"
+#include "ariadne/geometry/trajectory.h"
 #include "ariadne/sim/params.h"
 #include "ariadne/sim/world.h"
 
@@ -33,7 +34,7 @@ struct Collision {
 
 struct MissionRecord {
   std::vector<models::SensorStep> steps;  ///< all that the robot's sensors said
-  models::Trajectory truth;               ///< world_from_robot at each step
+  geometry::Trajectory truth;             ///< world_from_robot at each step
   std::vector<slam::StepReport> reports;  ///< one a filter update
   std::vector<Collision> collisions;      ///< moments of contact, one each time it came about
   double distance_m = 0;                  ///< truly driven

@@ -9,21 +9,11 @@
 #include <optional>
 
 #include "ariadne/core/random.h"
+#include "ariadne/geometry/covariance.h"
+#include "ariadne/geometry/pose.h"
 #include "ariadne/models/params.h"
 
 namespace ariadne::models {
-
-/// Pose of b seen from a: a^-1 (+) b, heading in (-pi, pi].
-mrpt::math::TPose2D relativePose(const mrpt::math::TPose2D& a, const mrpt::math::TPose2D& b);
-/// a (+) b, heading in (-pi, pi].
-mrpt::math::TPose2D compose(const mrpt::math::TPose2D& a, const mrpt::math::TPose2D& b);
-
-/// Turns (x, y, heading) by an angle, rad.
-Eigen::Matrix3d turnedBy(double angle);
-
-/// Covariance of a (+) b in the frame that a starts in, from those of a and b, each in its own.
-Eigen::Matrix3d composedCovariance(const mrpt::math::TPose2D& a, const Eigen::Matrix3d& of_a,
-                                   const mrpt::math::TPose2D& b, const Eigen::Matrix3d& of_b);
 
 /// One odometry increment, prepared once a step, used by every particle.
 class Motion {
@@ -39,7 +29,7 @@ class Motion {
   bool isGiven() const { return given_.has_value(); }
   /// Most likely pose after the motion.
   mrpt::math::TPose2D mean(const mrpt::math::TPose2D& before) const {
-    return compose(before, increment_);
+    return geometry::compose(before, increment_);
   }
   mrpt::math::TPose2D sample(const mrpt::math::TPose2D& before, core::RandomStream& rng) const;
   /// Standard deviations along and across the motion, m, and of the turn, rad.

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "ariadne/models/stamped_pose.h"
+#include "ariadne/geometry/trajectory.h"
 
 namespace ariadne::report {
 
@@ -15,6 +15,6 @@ namespace ariadne::report {
 /// @param path map_from_robot, m; may be empty
 /// Throws core::Error naming the file when it cannot be written or the map has no cells.
 void writeOverview(const std::filesystem::path& file, const mrpt::maps::COccupancyGridMap2D& map,
-                   const models::Trajectory& path);
+                   const geometry::Trajectory& path);
 
 }  // namespace ariadne::report

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "ariadne/geometry/trajectory.h"
 #include "ariadne/models/sensor_step.h"
-#include "ariadne/models/stamped_pose.h"
 #include "ariadne/sim/drive_path.h"
 #include "ariadne/sim/params.h"
 #include "ariadne/sim/world.h"
@@ -30,7 +30,7 @@ struct MarkTime {
 /// 0, 1 / rate, 2 / rate, ... seconds until the first after the last waypoint is reached. Read
 /// only, so that threads may observe one drive.
 struct TruthDrive {
-  models::Trajectory poses;
+  geometry::Trajectory poses;
   std::vector<mrpt::obs::CObservation2DRangeScan::ConstPtr> scans;
   std::vector<MarkTime> marks;
 };
@@ -47,7 +47,7 @@ TruthDrive driveThrough(const World& world, const DrivePath& path, const DrivePa
 
 struct SimulatedDrive {
   std::vector<models::SensorStep> steps;  ///< odometry starts at the origin
-  models::Trajectory truth;               ///< world_from_robot at each step
+  geometry::Trajectory truth;             ///< world_from_robot at each step
   std::vector<MarkTime> marks;
 };
 

@@ -2,8 +2,8 @@
 #pragma once
 #include <cstdint>
 
+#include "ariadne/geometry/trajectory.h"
 #include "ariadne/models/sensor_step.h"
-#include "ariadne/models/stamped_pose.h"
 #include "ariadne/sim/params.h"
 
 namespace ariadne::sim {
@@ -16,7 +16,7 @@ class Senses {
   /// The next step; odometry starts at the origin. The k-th step's draws depend on (seed, k) only:
   /// same seed, same bits. A beam that noise takes beyond the maximum range has no return.
   /// @param truth world_from_robot
-  models::SensorStep next(const models::StampedPose& truth,
+  models::SensorStep next(const geometry::StampedPose& truth,
                           const mrpt::obs::CObservation2DRangeScan& clean);
 
  private:

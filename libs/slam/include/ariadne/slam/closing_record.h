@@ -7,22 +7,17 @@
 
 #include "ariadne/closing/loop_watcher.h"
 #include "ariadne/filter/ancestry.h"
+#include "ariadne/geometry/weighted_poses.h"
 
 namespace ariadne::slam {
-
-/// Poses of a particle set at one update, with normalised weights.
-struct WeightedPoses {
-  std::vector<mrpt::math::TPose2D> poses;  ///< map_from_robot
-  std::vector<double> weights;
-};
 
 /// The set that was saved at a detection, next to the one that there was at te.
 struct SavingRecord {
   std::size_t entries = 0;
   std::size_t distinct_ancestors = 0;  ///< of the entries, at te
   std::size_t existed = 0;             ///< distinct hypotheses that there were at te
-  WeightedPoses at_te;                 ///< the particles as they were at te, with weights of then
-  WeightedPoses saved;                 ///< Eq. (11) and (12)
+  geometry::WeightedPoses at_te;       ///< the particles as they were at te, with weights of then
+  geometry::WeightedPoses saved;       ///< Eq. (11) and (12)
   double memory_mb = 0;
 };
 

@@ -10,6 +10,7 @@
 #include "ariadne/closure/finder.h"
 #include "ariadne/core/parallel.h"
 #include "ariadne/filter/particle_set.h"
+#include "ariadne/geometry/weighted_poses.h"
 #include "ariadne/recovery/saved_stack.h"
 #include "ariadne/slam/closing_record.h"
 #include "ariadne/slam/params.h"
@@ -63,7 +64,7 @@ class LoopCloser {
     std::size_t count = 0;
   };
   struct PastSet {
-    WeightedPoses particles;
+    geometry::WeightedPoses particles;
     std::size_t distinct = 0;
   };
   struct Extra {

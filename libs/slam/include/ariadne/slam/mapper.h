@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "ariadne/filter/particle_set.h"
+#include "ariadne/geometry/trajectory.h"
 #include "ariadne/models/sensor_step.h"
-#include "ariadne/models/stamped_pose.h"
 #include "ariadne/slam/closing_record.h"
 #include "ariadne/slam/params.h"
 #include "ariadne/slam/step_report.h"
@@ -66,7 +66,7 @@ class Mapper {
   mrpt::maps::COccupancyGridMap2D map() const;
   /// The path of s*: one pose (map_from_robot) for every step that was processed; between filter
   /// updates along the odometry.
-  models::Trajectory path() const;
+  geometry::Trajectory path() const;
   /// The known map, then the scans that the filter used with the poses of s*; for MRPT's tools.
   mrpt::maps::CSimpleMap simpleMap() const;
   /// Where s* is now (map_from_robot): its last update, then along the odometry.
@@ -74,7 +74,7 @@ class Mapper {
   /// The current hypotheses.
   const filter::ParticleSet& particles() const;
   /// The path of any hypothesis, as path().
-  models::Trajectory pathOf(std::size_t particle) const;
+  geometry::Trajectory pathOf(std::size_t particle) const;
   /// G of every hypothesis; empty where loop closing is not enabled.
   const std::vector<topology::PlaceGraph>& graphs() const;
   /// All closings so far.

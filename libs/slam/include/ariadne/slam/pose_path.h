@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ariadne/filter/ancestry.h"
-#include "ariadne/models/stamped_pose.h"
+#include "ariadne/geometry/trajectory.h"
 
 namespace ariadne::slam {
 
@@ -19,7 +19,7 @@ struct OdometryRecord {
 /// One pose (map_from_robot) a record. At updates it is the hypothesis' own; between two updates
 /// the odometry is followed from both and blended by the share of the way; after the last it is
 /// followed on, before the first back.
-models::Trajectory posePath(const std::vector<OdometryRecord>& records,
-                            const filter::AncestorPtr& leaf);
+geometry::Trajectory posePath(const std::vector<OdometryRecord>& records,
+                              const filter::AncestorPtr& leaf);
 
 }  // namespace ariadne::slam

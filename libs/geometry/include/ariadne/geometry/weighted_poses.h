@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace ariadne::eval {
+namespace ariadne::geometry {
 
 struct WeightedPoses {
   std::vector<mrpt::math::TPose2D> poses;  ///< m and rad, all in one frame
@@ -22,4 +22,4 @@ void checkWeightedPoses(const WeightedPoses& set);
 /// Throws core::Error when `weights`, the number of weights of `things`, is not `count`.
 void checkCounts(std::size_t weights, std::size_t count, const char* things);
 
-}  // namespace ariadne::eval
+}  // namespace ariadne::geometry

@@ -1,4 +1,4 @@
-#include "ariadne/eval/weighted_poses.h"
+#include "ariadne/geometry/weighted_poses.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 
 #include "ariadne/core/error.h"
 
-namespace ariadne::eval {
+namespace ariadne::geometry {
 
 void checkWeights(const std::vector<double>& weights) {
   constexpr double kRounding = 1e-6;  // far over what summing 100,000 doubles loses
@@ -38,4 +38,4 @@ void checkWeightedPoses(const WeightedPoses& set) {
   }
 }
 
-}  // namespace ariadne::eval
+}  // namespace ariadne::geometry

@@ -1,10 +1,10 @@
-// A pose with its time: what trajectories are made of.
+// Poses with their times, and the trajectories that they make.
 #pragma once
 #include <mrpt/math/TPose2D.h>
 
 #include <vector>
 
-namespace ariadne::models {
+namespace ariadne::geometry {
 
 struct StampedPose {
   double time_s = 0;         ///< UNIX time, seconds
@@ -23,7 +23,9 @@ using Trajectory = std::vector<StampedPose>;
 
 /// Seconds from the first pose to the last; the moments in which the clock was set back count 0.
 double durationOf(const Trajectory& path);
+/// Sum of the distances between successive poses, m.
+double lengthOf(const Trajectory& path);
 /// Poses of the same stamp stay in their order.
 Trajectory sortedByTime(Trajectory path);
 
-}  // namespace ariadne::models
+}  // namespace ariadne::geometry
