@@ -18,24 +18,24 @@ using experiment::NeffChange;
 using experiment::NeffFall;
 using Runs = std::vector<std::vector<NeffChange>>;
 
-constexpr double kUnit_m = 10;  // figures are per so much way
+constexpr double kUnit_m = 10;  // figures are per this distance
 
 Runs readRuns(const std::vector<std::string>& files, const std::vector<eval::PathPoint>& truth) {
   Runs runs;
   for (const std::string& file : files) {
     runs.push_back(experiment::neffChanges(experiment::readNeffSteps(file), truth));
-    if (runs.back().empty() || runs.back().back().way_m <= 0)
+    if (runs.back().empty() || runs.back().back().travelled_m <= 0)
       throw core::Error(file + " has no two updates within the time of the truth");
   }
   return runs;
 }
 
-/// Fall so far at each metre of way, mean of the runs.
+/// Fall since the start at each metre, mean of the runs.
 report::Curve fallOf(const std::string& name, const Runs& runs, double length_m) {
   std::vector<double> fall(static_cast<std::size_t>(length_m) + 2, 0.0);
   for (const auto& run : runs)
     for (const NeffChange& c : run)
-      fall[static_cast<std::size_t>(std::ceil(c.way_m))] -=
+      fall[static_cast<std::size_t>(std::ceil(c.travelled_m))] -=
           c.ln_change / static_cast<double>(runs.size());
   report::Curve curve{name, {}, {}};
   double sum = 0;
@@ -53,9 +53,10 @@ std::vector<report::Band> bandsOf(const std::vector<eval::PathPoint>& truth) {
   std::size_t passes = 0;
   for (const eval::PathPoint& p : truth) {
     if (p.passes > 0 && p.passes == passes)
-      bands.back().x1 = p.way_m;
+      bands.back().x1 = p.travelled_m;
     else if (p.passes > 0)
-      bands.push_back({p.way_m, p.way_m, std::max(0.6, 1 - 0.1 * static_cast<double>(p.passes))});
+      bands.push_back(
+          {p.travelled_m, p.travelled_m, std::max(0.6, 1 - 0.1 * static_cast<double>(p.passes))});
     passes = p.passes;
   }
   return bands;
@@ -81,7 +82,7 @@ NeffFall sumOf(const std::vector<NeffChange>& run, const Stretch& s) {
   const auto by_passes = experiment::neffFall(run);
   NeffFall sum;
   for (std::size_t i = s.from; i <= s.to; ++i) {
-    sum.way_m += by_passes[i].way_m;
+    sum.travelled_m += by_passes[i].travelled_m;
     sum.ln_change += by_passes[i].ln_change;
     sum.resamplings += by_passes[i].resamplings;
   }
@@ -92,16 +93,16 @@ NeffFall sumOf(const std::vector<NeffChange>& run, const Stretch& s) {
 std::string rowOf(const Stretch& s, const char* weights, const Runs& runs) {
   std::vector<double> change;
   std::vector<double> resamplings;
-  double way_m = 0;
+  double travelled_m = 0;
   for (const auto& run : runs) {
     const NeffFall sum = sumOf(run, s);
-    if (sum.way_m <= 0) continue;
-    way_m += sum.way_m / static_cast<double>(runs.size());
-    change.push_back(kUnit_m * sum.ln_change / sum.way_m);
-    resamplings.push_back(kUnit_m * static_cast<double>(sum.resamplings) / sum.way_m);
+    if (sum.travelled_m <= 0) continue;
+    travelled_m += sum.travelled_m / static_cast<double>(runs.size());
+    change.push_back(kUnit_m * sum.ln_change / sum.travelled_m);
+    resamplings.push_back(kUnit_m * static_cast<double>(sum.resamplings) / sum.travelled_m);
   }
   if (change.empty()) return "";
-  return fmt::format("| {} | {:.0f} | {} | {} | {} |\n", s.name, way_m, weights,
+  return fmt::format("| {} | {:.0f} | {} | {} | {} |\n", s.name, travelled_m, weights,
                      medianOf(std::move(change)), medianOf(std::move(resamplings)));
 }
 
@@ -113,16 +114,17 @@ std::string neffOfLog(const std::filesystem::path& png, const std::filesystem::p
   const auto truth = eval::pathPasses(io::readTum(truth_file));
   const Runs plain_runs = readRuns(plain, truth);
   const Runs revisit_runs = readRuns(revisit, truth);
-  const double length_m = truth.back().way_m;
+  const double length_m = truth.back().travelled_m;
   report::writeCurves(png, {"Fall of ln Neff, resampling taken out",
-                            "way, m (grey: driven before, the darker the more often)",
+                            "distance, m (grey: driven before, the darker the more often)",
                             "nats",
                             {fallOf("plain weights", plain_runs, length_m),
                              fallOf("1/r^2 at the r-th revisit", revisit_runs, length_m)},
                             {},
                             bandsOf(truth)});
   std::string table =
-      "| passed before | way, m | weights | change of ln Neff per 10 m | resamplings per 10 m |\n"
+      "| passed before | distance, m | weights | change of ln Neff per 10 m | resamplings per 10 m "
+      "|\n"
       "|---|---|---|---|---|\n";
   for (const Stretch& s : {Stretch{"never", 0, 0}, Stretch{"ever", 1, 3}, Stretch{"once", 1, 1},
                            Stretch{"twice", 2, 2}, Stretch{"more often", 3, 3}}) {

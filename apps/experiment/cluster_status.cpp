@@ -6,8 +6,8 @@
 #include <map>
 #include <ostream>
 
+#include "active_slices.h"
 #include "ariadne/cluster/parallel_command.h"
-#include "living.h"
 
 namespace ariadne::experiment_app {
 namespace {
@@ -24,18 +24,18 @@ std::string listText(const Counts& counts) {
 
 void printSlurmJob(const Submission& s, const cluster::Queue& queue, std::string& sacct_problem,
                    std::ostream& out) {
-  Counts living;
+  Counts active;
   std::string id = s.id;
   for (const cluster::Task& task : queue.tasks) {
     if (task.name != s.name) continue;
     const bool told = task.reason.empty() || task.reason == "None";
-    ++living[told ? task.state : fmt::format("{} ({})", task.state, task.reason)];
+    ++active[told ? task.state : fmt::format("{} ({})", task.state, task.reason)];
     id = task.id;
   }
   if (id.empty()) return;  // a script that was not handed over, or refused
   fmt::print(out, "Slurm job {} (jobs/{}): {} slices handed out", id, s.number, s.handed.size());
   if (queue.problem.empty())
-    fmt::print(out, "; squeue: {}", living.empty() ? "none lives" : listText(living));
+    fmt::print(out, "; squeue: {}", active.empty() ? "none waits or runs" : listText(active));
   if (sacct_problem.empty()) {
     const cluster::Account account = cluster::askSacct(id);
     sacct_problem = account.problem;
@@ -69,9 +69,10 @@ void printClusterStatus(const batch::Plan& plan, const batch::Store& store, std:
     fmt::print(out, "Of tasks that ended Slurm says nothing: {}\n", sacct_problem);
   // A slice of its own for each run: which have no result and nobody who will do them.
   const std::size_t runs = batch::distinctRuns(plan).size();
-  const auto lost = cluster::openSlices(plan, store, runs, livingSlices(submissions, queue, store));
+  const auto lost = cluster::openSlices(plan, store, runs, activeSlices(submissions, queue, store));
   if (queue.problem.empty() && !lost.empty())
-    fmt::print(out, "{} runs are to do and in no living task: submit again hands them out\n",
+    fmt::print(out,
+               "{} runs are to do and in no task that waits or runs: submit again hands them out\n",
                lost.size());
 }
 

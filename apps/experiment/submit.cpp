@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <ostream>
 
+#include "active_slices.h"
 #include "ariadne/batch/run_counts.h"
 #include "ariadne/cluster/slices.h"
 #include "ariadne/cluster/slurm_script.h"
@@ -14,7 +15,6 @@
 #include "ariadne/io/whole_file.h"
 #include "ariadne/process/call.h"
 #include "folder_steps.h"
-#include "living.h"
 #include "submit_checks.h"
 
 namespace ariadne::experiment_app {
@@ -49,14 +49,14 @@ std::vector<std::size_t> slicesFor(const Options& o, const Plan& plan, const Sto
   if (!queue.problem.empty())
     fmt::print(err, "ariadne-experiment: which slices still live is not known: {}\n",
                queue.problem);
-  const auto living = livingSlices(submissions, queue, store);
-  auto open = cluster::openSlices(plan, store, slices, living, again);
-  if (open.empty() && living.empty())
+  const auto active = activeSlices(submissions, queue, store);
+  auto open = cluster::openSlices(plan, store, slices, active, again);
+  if (open.empty() && active.empty())
     fmt::print(out, "Nothing is left to do: ariadne-experiment collect {}\n",
                store.folder().string());
   else if (open.empty())
     fmt::print(out, "Nothing to hand out: {} tasks of Slurm's have all that is left to do\n",
-               living.size());
+               active.size());
   return open;
 }
 

@@ -6,8 +6,8 @@
 
 namespace ariadne::experiment_app {
 
-/// Writes the plan and hands out the slices with work that no living task has; with GNU parallel
-/// also waits for them. Returns the exit code. Throws core::UsageError, core::Error.
+/// Writes the plan and hands out the slices with work that no waiting or running task has; with GNU
+/// parallel also waits for them. Returns the exit code. Throws core::UsageError, core::Error.
 int submit(const Options& options, std::ostream& out, std::ostream& err);
 
 }  // namespace ariadne::experiment_app

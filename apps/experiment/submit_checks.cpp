@@ -55,7 +55,7 @@ void checkSubmit(const Options& o) {
     throw core::UsageError(
         fmt::format("--sshloginfile: there is no file {}", o.parallel.sshloginfile.string()));
   // moreutils has another program of this name.
-  const process::Called version = process::call({"parallel", "--version"});
+  const process::CallResult version = process::call({"parallel", "--version"});
   if (version.missing || version.out.find("GNU parallel") == std::string::npos)
     throw core::UsageError("there is no GNU parallel in PATH: install Debian's package parallel");
 }

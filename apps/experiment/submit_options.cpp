@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* kSubmitFooter =
     "FOLDER and the programs must lie where all machines see them under the same path.\n"
-    "Called again, it hands out what has no result and is in no living task of Slurm's.\n"
+    "Called again, it hands out what has no result and is in no task that waits or runs in Slurm.\n"
     "More: doc/howto/cluster.md. Examples:\n"
     "  ariadne-experiment submit ini/paper/small.ini --out /shared/small --engine slurm \\\n"
     "      --partition short --time 2:00:00 --array-limit 50\n"

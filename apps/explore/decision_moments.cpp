@@ -37,10 +37,10 @@ std::string sentence(std::string text) {
 
 std::vector<std::vector<std::string>> frontierTable(const std::vector<explore::Candidate>& all) {
   if (all.empty()) return {};
-  std::vector<std::vector<std::string>> rows{{"frontier at, m", "width, m", "way, m", "left"}};
+  std::vector<std::vector<std::string>> rows{{"frontier at, m", "width, m", "route, m", "left"}};
   for (const explore::Candidate& c : all)
     rows.push_back({fmt::format("{:.1f}, {:.1f}", c.at.x, c.at.y), fmt::format("{:.1f}", c.width_m),
-                    c.way_m ? fmt::format("{:.1f}", *c.way_m) : "none", c.left});
+                    c.route_m ? fmt::format("{:.1f}", *c.route_m) : "none", c.left});
   return rows;
 }
 

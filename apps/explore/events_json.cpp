@@ -12,7 +12,7 @@ Json pointOf(const mrpt::math::TPoint2D& p) { return {p.x, p.y}; }
 Json frontierOf(const explore::Candidate& c) {
   return {{"at_m", pointOf(c.at)},
           {"width_m", c.width_m},
-          {"way_m", c.way_m ? Json(*c.way_m) : Json()},
+          {"way_m", c.route_m ? Json(*c.route_m) : Json()},
           {"left", c.left.empty() ? Json() : Json(c.left)}};
 }
 
@@ -48,7 +48,7 @@ std::string eventsJson(const std::vector<explore::Decision>& decisions) {
                   "dist_g_m: to the entry by the map and by the graph; te: update of the entry, "
                   "Eq. (9)"},
                  {"frontiers",
-                  "all there were, where they were looked for; way_m null: no way there; "
+                  "all there were, where they were looked for; way_m null: no route there; "
                   "left: why it is not gone to, null: it may be"}}},
                {"events", Json::array()}};
   for (const explore::Decision& d : decisions) json["events"].push_back(eventOf(d));

@@ -52,9 +52,9 @@ void writeTopologyPicture(const std::filesystem::path& file, const slam::Mapper&
   report::DrawnGraph drawn;
   g.places().forEach([&](const topology::Place& p) { drawn.places.push_back(p.position); });
   g.edges().forEach([&](const topology::Edge& e) {
-    // On a new way the next place is made as it is reached; a cycle is closed to one of before.
+    // On new ground the next place is made as it is reached; a cycle is closed to one of before.
     const bool grows = g.places()[std::max(e.a, e.b)].step == e.step;
-    (grows ? drawn.ways : drawn.shortcuts).emplace_back(e.a, e.b);
+    (grows ? drawn.edges : drawn.shortcuts).emplace_back(e.a, e.b);
   });
   for (const slam::ClosingRecord& c : mapper.closings())
     if (c.closing.entered)

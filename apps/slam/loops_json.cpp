@@ -31,13 +31,13 @@ Json definitions() {
        fmt::format("weight of the true set's samples with no saved sample within {} bandwidths",
                    k.lost_bandwidths)},
       {"contradicting_particles",
-       fmt::format("recovered particles of which over {} of the beams of the attached way end "
+       fmt::format("recovered particles of which over {} of the beams of the attached path end "
                    "where their own older map is surely free",
                    kContradicts)},
-      {"neff_rule_m", "way after the entry at which the paper's rule would have stopped"},
+      {"neff_rule_m", "distance after the entry at which the paper's rule would have stopped"},
       {"slope_rule_m", "the same of the rule on the slope of ln Neff"},
       {"found",
-       "closures that were searched for and found from metres away; every particle's way was then "
+       "closures that were searched for and found from metres away; every particle's path was then "
        "drawn "
        "anew, given the closure"},
       {"hit_share", "share of the last metres' beams that end on what was mapped there before"},

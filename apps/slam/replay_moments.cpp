@@ -29,7 +29,7 @@ ReplayMoment detectionOf(const slam::ClosingRecord& record) {
              {"dist_G to the entry", fmt::format("{:.2f} m", o.dist_g_m)},
              {"entry", fmt::format("({:.2f}, {:.2f}) m", c.entry_position.x, c.entry_position.y)},
              {"te, Eq. (9)", fmt::format("update {}", o.te)},
-             {"way around the loop", fmt::format("{:.1f} m", c.course.loop_length_m)}};
+             {"length of the loop", fmt::format("{:.1f} m", c.course.loop_length_m)}};
   if (record.saving) {
     m.table.push_back({"saved particles", fmt::format("{}", record.saving->entries)});
     m.table.push_back(
@@ -44,8 +44,8 @@ ReplayMoment endOf(const slam::ClosingRecord& record) {
   ReplayMoment m{*c.ended, MomentKind::end, {}, sentence(c.end_reason), {}};
   m.title = fmt::format(c.entered ? "Loop {}: closing ended" : "Loop {} given up", c.name);
   if (!record.note.empty()) m.text += fmt::format(" No recovery: {}.", record.note);
-  const auto rule = [&](const char* name, const std::optional<double>& way_m) {
-    if (way_m) m.table.push_back({name, fmt::format("{:.1f} m after the entry", *way_m)});
+  const auto rule = [&](const char* name, const std::optional<double>& after_m) {
+    if (after_m) m.table.push_back({name, fmt::format("{:.1f} m after the entry", *after_m)});
   };
   rule("the rule on Neff would end it", c.neff_rule_m);
   rule("the rule on the slope of ln Neff", c.slope_rule_m);
@@ -63,7 +63,7 @@ ReplayMoment recoveryOf(const slam::ClosingRecord& record) {
   m.text = fmt::format("Distinct ancestors at te: {} before, {} after.", r.distinct_before,
                        r.distinct_after);
   m.table = {{"what", "value"},
-             {"ways through the loop that were drawn", fmt::format("{}", r.distinct_sources)},
+             {"paths through the loop that were drawn", fmt::format("{}", r.distinct_sources)},
              {"wall clock", fmt::format("{:.0f} ms", 1000 * r.seconds)}};
   return m;
 }

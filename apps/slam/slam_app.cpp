@@ -13,7 +13,6 @@
 #include "ariadne/io/tum.h"
 #include "config.h"
 #include "continuation.h"
-#include "judgement.h"
 #include "loop_counts.h"
 #include "loops_json.h"
 #include "mapping.h"
@@ -21,6 +20,7 @@
 #include "outputs.h"
 #include "parameters_page.h"
 #include "replay.h"
+#include "run_checks.h"
 #include "run_program.h"
 #include "truth.h"
 
@@ -141,7 +141,7 @@ int mapDataset(const Options& options, ResolvedConfig resolved, std::ostream& ou
                record.odometry.size(), 100 * source->fraction());
   RunResult result = resultOf(std::move(record), mapper, *source, resolved);
   const std::size_t told_already = result.warnings.size();
-  judge(result);
+  checkRun(result);
   for (const std::string& w : loopWarnings(result.closings)) result.warnings.push_back(w);
   compare(result, std::move(truth), options.truth);
   result.from = std::move(from);

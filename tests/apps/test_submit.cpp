@@ -155,7 +155,7 @@ TEST_F(Submit, StatusSaysWhatSlurmSays) {
            "1 RUNNING"))
       << out;
   EXPECT_TRUE(says("Slurm accounting storage is disabled")) << out;
-  EXPECT_TRUE(says("2 runs are to do and in no living task")) << out;
+  EXPECT_TRUE(says("2 runs are to do and in no task that waits or runs")) << out;
   command("sacct", "printf 'COMPLETED\\nCANCELLED by 7\\nCOMPLETED\\n'");
   ASSERT_EQ(run({"status", results().string()}), 0) << err;
   EXPECT_TRUE(says("; sacct: 1 CANCELLED, 2 COMPLETED")) << out;

@@ -45,11 +45,12 @@ TEST(Checks, APathMuchShorterThanTheOdometry) {
 TEST(Checks, APathMuchLongerThanTheOdometry) {
   MapFigures map = goodMap();
   map.path_m = 140;
-  EXPECT_NE(allWarnings(checkMap(goodDrive(), map)).find("odometry misses way"), std::string::npos);
+  EXPECT_NE(allWarnings(checkMap(goodDrive(), map)).find("odometry misses motion"),
+            std::string::npos);
   DriveFigures still = goodDrive();
   still.odometry_m = 0;
   map.path_m = 20;
-  EXPECT_NE(allWarnings(checkMap(still, map)).find("odometry misses way"), std::string::npos);
+  EXPECT_NE(allWarnings(checkMap(still, map)).find("odometry misses motion"), std::string::npos);
 }
 
 TEST(Checks, AShortWayTellsNothing) {

@@ -29,8 +29,8 @@ class HandingOut : public StandIn {
     options.slices = slices;
     batch::doRuns(store(), plan, options);
   }
-  Numbers open(std::size_t slices, const std::vector<cluster::Slice>& living = {}) const {
-    return cluster::openSlices(plan, store(), slices, living);
+  Numbers open(std::size_t slices, const std::vector<cluster::Slice>& active = {}) const {
+    return cluster::openSlices(plan, store(), slices, active);
   }
   batch::Plan plan;
 };
@@ -50,7 +50,7 @@ TEST_F(HandingOut, SlicesAreThoseThatTheWorkerDoes) {
 
 TEST_F(HandingOut, WhatSomebodyLivingDoesIsNotHandedOutAgain) {
   EXPECT_EQ(open(4, {{1, 4}, {3, 4}}), (Numbers{2, 4}));
-  EXPECT_EQ(open(4, {{1, 2}}), (Numbers{2, 4})) << "a living task of another cut";
+  EXPECT_EQ(open(4, {{1, 2}}), (Numbers{2, 4})) << "a running task of another cut";
   EXPECT_EQ(open(2, {{1, 4}}), (Numbers{1, 2})) << "half of the first is nobody's";
   EXPECT_EQ(open(4, {{1, 1}}), Numbers{});
   EXPECT_EQ(open(100), (Numbers{1, 2, 3, 4, 5, 6, 7, 8, 9, 10})) << "empty slices are not";

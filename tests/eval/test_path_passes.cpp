@@ -20,7 +20,7 @@ geometry::Trajectory rounds() {
 
 TEST(PathPasses, RoundsAreCountedAlongTheWay) {
   const auto points = eval::pathPasses(rounds());
-  EXPECT_NEAR(points.back().way_m, 135, 1e-9);
+  EXPECT_NEAR(points.back().travelled_m, 135, 1e-9);
   // A second is a metre here. Away from the corners, where near_m reaches into the next side.
   EXPECT_EQ(eval::pointAt(points, 5).passes, 0U);
   EXPECT_EQ(eval::pointAt(points, 25).passes, 0U);
@@ -40,8 +40,8 @@ TEST(PathPasses, StandingIsOnePassAndTooShortALoopIsNone) {
 
 TEST(PathPasses, WhatLiesOutsideOfTheTimeIsTheNearestEnd) {
   const auto points = eval::pathPasses(rounds());
-  EXPECT_EQ(eval::pointAt(points, -100).way_m, 0);
-  EXPECT_NEAR(eval::pointAt(points, 1e9).way_m, 135, 1e-9);
+  EXPECT_EQ(eval::pointAt(points, -100).travelled_m, 0);
+  EXPECT_NEAR(eval::pointAt(points, 1e9).travelled_m, 135, 1e-9);
   EXPECT_THROW(eval::pathPasses({}), core::UsageError);
   EXPECT_THROW(eval::pathPasses(rounds(), {0, 20, 0.1}), core::UsageError);
 }

@@ -67,11 +67,11 @@ TEST(NeffFall, StartsFromAllParticlesAfterResampling) {
   EXPECT_NEAR(changes[0].ln_change, -std::log(2), 1e-12);
   EXPECT_NEAR(changes[1].ln_change, -std::log(2), 1e-12) << "from 20, not from 10";
   const auto fall = experiment::neffFall(changes);
-  EXPECT_NEAR(fall[0].way_m, 20, 1e-6);
+  EXPECT_NEAR(fall[0].travelled_m, 20, 1e-6);
   EXPECT_NEAR(fall[0].ln_change, -2 * std::log(2), 1e-12);
   EXPECT_EQ(fall[0].resamplings, 1U);
-  EXPECT_NEAR(fall[1].way_m, 31, 1e-6);
+  EXPECT_NEAR(fall[1].travelled_m, 31, 1e-6);
   EXPECT_NEAR(fall[1].ln_change, -std::log(2), 1e-12);
   EXPECT_EQ(fall[1].resamplings, 1U);
-  EXPECT_EQ(fall[2].way_m, 0);
+  EXPECT_EQ(fall[2].travelled_m, 0);
 }

@@ -92,7 +92,7 @@ TEST(Frontiers, AnIslandBehindAWallIsUnreachable) {
   for (const Frontier& f : frontiers) {
     if (f.left.empty()) continue;
     ++unreachable;
-    EXPECT_EQ(f.left, "no way leads there");
+    EXPECT_EQ(f.left, "no route leads there");
     EXPECT_GT(f.target.x, 9);
   }
   EXPECT_EQ(unreachable, 1);

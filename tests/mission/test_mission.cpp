@@ -153,7 +153,7 @@ TEST(Mission, AHoleNarrowerThanTheRobotIsNotTried) {
   EXPECT_TRUE(e.record.collisions.empty());
   for (const auto& t : e.record.truth) EXPECT_LT(t.pose.x, 5);
   const auto behind = std::count_if(e.left().begin(), e.left().end(),
-                                    [](const auto& c) { return c.left == "no way leads there"; });
+                                    [](const auto& c) { return c.left == "no route leads there"; });
   EXPECT_GE(behind, 1) << "the other room, seen through the hole";
 }
 

@@ -42,7 +42,7 @@ mrpt::maps::COccupancyGridMap2D room() {
 TEST(TopologyPicture, ShowsWaysShortcutsAndEntries) {
   report::DrawnGraph g;
   g.places = {{1, 1}, {8, 1}, {8, 6}, {1, 6}};
-  g.ways = {{0, 1}, {1, 2}, {2, 3}};
+  g.edges = {{0, 1}, {1, 2}, {2, 3}};
   report::writeTopology(kFile, room(), g);
   const auto red = pixelsOf(kFile, 0.75, 0.1, 0.1);
   report::writeTopology(kFile, room(), g);

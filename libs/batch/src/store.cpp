@@ -100,7 +100,7 @@ std::map<std::string, RunResult> Store::results(const Plan& plan) const {
 }
 
 void Store::put(const RunResult& result) const {
-  // Two machines may have done the same run when one was held for dead.
+  // Two machines may have done the same run when one was taken for dead.
   if (!result.failure.empty() && has(result.key)) return;
   io::writeWhole(file(result.key), resultText(result));
 }

@@ -61,10 +61,10 @@ std::optional<RunResult> Worker::poll() {
   was_told_ =
       !too_long_ && (end->signal == SIGINT || end->signal == SIGTERM || end->signal == SIGKILL ||
                      end->exit_code == 128 + SIGINT || end->exit_code == 128 + SIGTERM);
-  return judge(*end);
+  return resultOf(*end);
 }
 
-RunResult Worker::judge(const ProcessEnd& end) const {
+RunResult Worker::resultOf(const ProcessEnd& end) const {
   RunResult result;
   result.key = run_.key;
   result.about = describe(plan_, run_);

@@ -12,7 +12,7 @@ constexpr double kMostStanding = 0.05;
 constexpr std::size_t kFewest = 5;  // scans, below which a share says nothing
 constexpr double kShortestPath = 0.8;
 constexpr double kLongestPath = 1.25;
-constexpr double kLeastWay_m = 10;
+constexpr double kLeastPath_m = 10;
 constexpr double kLeastAccepted = 0.5;
 constexpr std::size_t kLeastTried = 300;
 
@@ -48,24 +48,24 @@ Check blindScans(const DriveFigures& drive) {
 Check standingScans(const DriveFigures& drive) {
   return shareOfScans(
       "standing_scans_share", drive.standing_scans, drive.scans, kMostStanding,
-      fmt::format(
-          "the odometry stood still while the robot drove by its scans, in {} of {} scans "
-          "({:.1f} m of way in all): it is missing there; [dataset] odometry = scans maps by "
-          "the scans alone",
-          drive.standing_scans, drive.scans, drive.odometry_m));
+      fmt::format("the odometry stood still while the robot drove by its scans, in {} of {} scans "
+                  "({:.1f} m in all): it is missing there; [dataset] odometry = scans maps by "
+                  "the scans alone",
+                  drive.standing_scans, drive.scans, drive.odometry_m));
 }
 
 Check pathLength(const DriveFigures& drive, const MapFigures& map) {
   Check check{"path_to_odometry", drive.odometry_m > 0 ? map.path_m / drive.odometry_m : 0, ""};
-  if (drive.odometry_m >= kLeastWay_m && check.value < kShortestPath)
+  if (drive.odometry_m >= kLeastPath_m && check.value < kShortestPath)
     check.warning = fmt::format(
         "the mapped path is {:.1f} m long, the odometry's {:.1f} m: matching the scans held the "
         "robot back; are readings that mean 'nothing' taken for walls (ariadne-dataset info says "
         "which there are; [dataset] max_range_m), or does the odometry count in other units",
         map.path_m, drive.odometry_m);
-  if (map.path_m >= kLeastWay_m && map.path_m > kLongestPath * drive.odometry_m)
+  if (map.path_m >= kLeastPath_m && map.path_m > kLongestPath * drive.odometry_m)
     check.warning = fmt::format(
-        "the mapped path is {:.1f} m long, the odometry's {:.1f} m: either the odometry misses way "
+        "the mapped path is {:.1f} m long, the odometry's {:.1f} m: either the odometry misses "
+        "motion "
         "([dataset] odometry = scans maps without it), or the scans tell too little and the path "
         "wanders (a smaller [motion] noise holds it to the odometry)",
         map.path_m, drive.odometry_m);

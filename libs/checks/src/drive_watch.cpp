@@ -18,8 +18,8 @@ constexpr double kDrove_m = 0.3;
 constexpr double kDrove_rad = 0.26;
 constexpr double kGain = 8;
 
-bool within(const mrpt::math::TPose2D& way, double distance_m, double angle_rad) {
-  return std::hypot(way.x, way.y) < distance_m && std::abs(way.phi) < angle_rad;
+bool within(const mrpt::math::TPose2D& motion, double distance_m, double angle_rad) {
+  return std::hypot(motion.x, motion.y) < distance_m && std::abs(motion.phi) < angle_rad;
 }
 
 }  // namespace
@@ -31,8 +31,8 @@ void DriveWatch::add(const models::SensorStep& step) {
   if (!first && !step.odometry_jumped)
     figures_.odometry_m += geometry::distance(step.odom_from_robot, last_);
   last_ = step.odom_from_robot;
-  const auto way = geometry::relativePose(stand_, step.odom_from_robot);
-  if (first || !within(way, kStill_m, kStill_rad)) {
+  const auto motion = geometry::relativePose(stand_, step.odom_from_robot);
+  if (first || !within(motion, kStill_m, kStill_rad)) {
     stand_ = step.odom_from_robot;
     still_ = 0;
     by_scans_.reset();

@@ -5,11 +5,11 @@
 namespace ariadne::cluster {
 
 std::vector<std::size_t> openSlices(const batch::Plan& plan, const batch::Store& store,
-                                    std::size_t slices, const std::vector<Slice>& living,
+                                    std::size_t slices, const std::vector<Slice>& active,
                                     const std::set<std::string>& again) {
   const auto runs = batch::distinctRuns(plan);
   std::vector<bool> covered(runs.size(), false);
-  for (const Slice& s : living)
+  for (const Slice& s : active)
     for (std::size_t i = s.slice - 1; i < runs.size(); i += s.slices)
       if (s.waits || again.count(runs[i]->key) == 0) covered[i] = true;
   std::vector<bool> open(slices, false);

@@ -54,39 +54,39 @@ std::string stateIn(const std::string& line) {
   return is_state && (state == line || line.find(" by ") == state.size()) ? state : "";
 }
 
-std::string problemOf(const std::string& program, const process::Called& called) {
-  if (called.missing) return fmt::format("{} is not here (Debian's package slurm-client)", program);
-  if (called.ok || called.error.rfind(program + ":", 0) == 0) return called.ok ? "" : called.error;
-  return fmt::format("{}: {}", program, called.error);
+std::string problemOf(const std::string& program, const process::CallResult& answer) {
+  if (answer.missing) return fmt::format("{} is not here (Debian's package slurm-client)", program);
+  if (answer.ok || answer.error.rfind(program + ":", 0) == 0) return answer.ok ? "" : answer.error;
+  return fmt::format("{}: {}", program, answer.error);
 }
 
 }  // namespace
 
 std::string submitToSlurm(const std::filesystem::path& script) {
-  const process::Called called = process::call({"sbatch", "--parsable", script.string()});
-  if (called.missing)
+  const process::CallResult answer = process::call({"sbatch", "--parsable", script.string()});
+  if (answer.missing)
     throw core::UsageError(
         "there is no sbatch in PATH: install Debian's package slurm-client, or take the script of "
         "--script-only to a machine that has it");
-  if (!called.ok) {
-    const bool too_many = called.error.find("array") != std::string::npos;
+  if (!answer.ok) {
+    const bool too_many = answer.error.find("array") != std::string::npos;
     throw core::Error(fmt::format(
-        "sbatch refused {}: {}{}", script.string(), called.error,
+        "sbatch refused {}: {}{}", script.string(), answer.error,
         too_many ? " (--slices must be less than MaxArraySize of scontrol show config)" : ""));
   }
-  if (auto id = jobIn(called.out); !id.empty()) return id;
+  if (auto id = jobIn(answer.out); !id.empty()) return id;
   throw core::Error(fmt::format(
       "sbatch tells no job's number in \"{}\": whether {} is with Slurm, squeue says (status)",
-      core::printable(called.out), script.string()));
+      core::printable(answer.out), script.string()));
 }
 
 Queue askSqueue(const std::vector<std::string>& names) {
-  const process::Called called =
+  const process::CallResult answer =
       process::call({"squeue", "--noheader", "--array",
                      fmt::format("--name={}", fmt::join(names, ",")), "--format=%j|%F|%K|%T|%r"});
-  Queue queue{problemOf("squeue", called), {}};
+  Queue queue{problemOf("squeue", answer), {}};
   if (!queue.problem.empty()) return queue;
-  for (const std::string& line : linesOf(called.out)) {
+  for (const std::string& line : linesOf(answer.out)) {
     const auto cells = cellsOf(line);
     if (cells.size() < 4) continue;
     Task task{cells[0], cells[1], 0, cells[3], cells.size() > 4 ? cells[4] : ""};
@@ -98,11 +98,11 @@ Queue askSqueue(const std::vector<std::string>& names) {
 }
 
 Account askSacct(const std::string& id) {
-  const process::Called called = process::call(
+  const process::CallResult answer = process::call(
       {"sacct", "--noheader", "--parsable2", "--allocations", "--jobs=" + id, "--format=State"});
-  Account account{problemOf("sacct", called), {}};
+  Account account{problemOf("sacct", answer), {}};
   if (!account.problem.empty()) return account;
-  for (const std::string& line : linesOf(called.out))
+  for (const std::string& line : linesOf(answer.out))
     if (const std::string state = stateIn(line); !state.empty()) ++account.states[state];
   return account;
 }

@@ -19,12 +19,12 @@ struct Place {
 std::size_t passesBefore(const std::vector<PathPoint>& points, const std::vector<Place>& places,
                          std::size_t i, const PassParams& p) {
   std::size_t passes = 0;
-  double next_visit = points[i].way_m;
+  double next_visit = points[i].travelled_m;
   for (std::size_t j = i; j-- > 0;) {
     if (geometry::distance(places[j], places[i]) >= p.near_m) continue;
-    if (points[i].way_m - points[j].way_m <= p.apart_m) continue;
-    if (next_visit - points[j].way_m > p.apart_m) ++passes;
-    next_visit = points[j].way_m;
+    if (points[i].travelled_m - points[j].travelled_m <= p.apart_m) continue;
+    if (next_visit - points[j].travelled_m > p.apart_m) ++passes;
+    next_visit = points[j].travelled_m;
   }
   return passes;
 }
@@ -37,18 +37,18 @@ std::vector<PathPoint> pathPasses(const geometry::Trajectory& path, const PassPa
     throw core::UsageError("near_m, apart_m and every_m must be over 0");
   std::vector<PathPoint> points{{path[0].time_s, 0, 0}};
   std::vector<Place> places{{path[0].pose.x, path[0].pose.y}};
-  double way = 0;
+  double travelled_m = 0;
   for (std::size_t i = 1; i < path.size(); ++i) {
     const double length = geometry::distance(path[i - 1].pose, path[i].pose);
     const int parts = std::max(1, static_cast<int>(length / p.every_m));
     for (int k = 1; k <= parts; ++k) {
       const double u = static_cast<double>(k) / parts;
-      points.push_back(
-          {path[i - 1].time_s + u * (path[i].time_s - path[i - 1].time_s), way + u * length, 0});
+      points.push_back({path[i - 1].time_s + u * (path[i].time_s - path[i - 1].time_s),
+                        travelled_m + u * length, 0});
       places.push_back({path[i - 1].pose.x + u * (path[i].pose.x - path[i - 1].pose.x),
                         path[i - 1].pose.y + u * (path[i].pose.y - path[i - 1].pose.y)});
     }
-    way += length;
+    travelled_m += length;
   }
   for (std::size_t i = 0; i < points.size(); ++i)
     points[i].passes = passesBefore(points, places, i, p);

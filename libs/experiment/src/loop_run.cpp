@@ -9,7 +9,7 @@
 #include "ariadne/experiment/neff_fall.h"
 #include "ariadne/geometry/pose.h"
 #include "ariadne/slam/mapper.h"
-#include "judge.h"
+#include "arm_result.h"
 
 namespace ariadne::experiment {
 namespace {
@@ -66,7 +66,7 @@ void addNeff(InnerLoop& inner, const std::vector<NeffStep>& updates,
   double* const figures[] = {&inner.ln_neff_new_per_10m, &inner.ln_neff_once_per_10m,
                              &inner.ln_neff_twice_per_10m, &inner.ln_neff_more_per_10m};
   for (std::size_t i = 0; i < falls.size(); ++i)
-    if (falls[i].way_m > 0) *figures[i] = 10 * falls[i].ln_change / falls[i].way_m;
+    if (falls[i].travelled_m > 0) *figures[i] = 10 * falls[i].ln_change / falls[i].travelled_m;
 }
 
 /// The inner loop is the first one that was recovered.
@@ -106,8 +106,8 @@ LoopRunResult runLoop(const sim::SimulatedDrive& seen, const slam::SlamParams& p
           {step.time_s, report->neff, report->resampled, static_cast<double>(report->particles)});
   }
   LoopRunResult result;
-  result.recovered = judge(mapper, seen.truth, bounds);
-  result.standard = standard ? judge(*standard, seen.truth, bounds) : result.recovered;
+  result.recovered = armResultOf(mapper, seen.truth, bounds);
+  result.standard = standard ? armResultOf(*standard, seen.truth, bounds) : result.recovered;
   result.inner = innerOf(mapper, seen.truth, std::move(updates));
   for (const slam::ClosingRecord& record : mapper.closings()) {
     ++result.closings;

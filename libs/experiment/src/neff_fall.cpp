@@ -33,7 +33,8 @@ std::vector<NeffChange> neffChanges(const std::vector<NeffStep>& steps,
     const NeffStep& before = steps[i - 1];
     const eval::PathPoint& here = eval::pointAt(truth, steps[i].time_s);
     const double from = before.resampled ? before.particles : before.neff;
-    changes.push_back({here.way_m, here.way_m - eval::pointAt(truth, before.time_s).way_m,
+    changes.push_back({here.travelled_m,
+                       here.travelled_m - eval::pointAt(truth, before.time_s).travelled_m,
                        here.passes, std::log(steps[i].neff / from), steps[i].resampled});
   }
   return changes;
@@ -43,7 +44,7 @@ std::array<NeffFall, 4> neffFall(const std::vector<NeffChange>& changes) {
   std::array<NeffFall, 4> sums{};
   for (const NeffChange& c : changes) {
     NeffFall& sum = sums[std::min<std::size_t>(c.passes, sums.size() - 1)];
-    sum.way_m += c.length_m;
+    sum.travelled_m += c.length_m;
     sum.ln_change += c.ln_change;
     sum.resamplings += c.resampled ? 1 : 0;
   }

@@ -4,7 +4,7 @@
 
 #include "ariadne/eval/kl_divergence.h"
 #include "ariadne/slam/mapper.h"
-#include "judge.h"
+#include "arm_result.h"
 
 namespace ariadne::experiment {
 namespace {
@@ -68,9 +68,9 @@ std::optional<OracleResult> runOracle(const sim::SimulatedDrive& seen,
       eval::divergence(oracle->particles().poses(), loop->standard->particles().poses()).kl_nats;
   for (slam::Mapper* mapper : {oracle.get(), loop->recovered.get(), loop->standard.get()})
     for (std::size_t k = loop->next; k < seen.steps.size(); ++k) mapper->process(seen.steps[k]);
-  result.oracle = judge(*oracle, seen.truth, bounds);
-  result.recovered = judge(*loop->recovered, seen.truth, bounds);
-  result.standard = judge(*loop->standard, seen.truth, bounds);
+  result.oracle = armResultOf(*oracle, seen.truth, bounds);
+  result.recovered = armResultOf(*loop->recovered, seen.truth, bounds);
+  result.standard = armResultOf(*loop->standard, seen.truth, bounds);
   return result;
 }
 

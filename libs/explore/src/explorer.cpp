@@ -31,13 +31,13 @@ Explorer::Explorer(const ExploreParams& params)
       home_goal_(params),
       follower_(params),
       bumper_(params.robot_radius_m),
-      way_(2 * params.speed_m_s) {
+      motion_(2 * params.speed_m_s) {
   core::validateFields(params, "explore");
 }
 
 VelocityCommand Explorer::step(const Belief& belief) {
   if (done()) return {};
-  way_.add(belief.map_from_robot);
+  motion_.add(belief.map_from_robot);
   if (!started_s_) started_s_ = belief.time_s;
   if (travelled_m() >= params_.max_distance_m) return end(belief, "max_distance_m is driven");
   if (belief.time_s - *started_s_ >= params_.max_time_s) return end(belief, "max_time_s is over");
@@ -65,7 +65,7 @@ VelocityCommand Explorer::act(const Belief& belief) {
 }
 
 VelocityCommand Explorer::lookAround(const Belief& belief) {
-  if (way_.turned_rad() < 2 * M_PI) return {0, params_.turn_deg_s * kDegreeOfExplorer};
+  if (motion_.turned_rad() < 2 * M_PI) return {0, params_.turn_deg_s * kDegreeOfExplorer};
   decide(belief);
   return {};
 }
@@ -94,13 +94,13 @@ VelocityCommand Explorer::arrive(const Belief& belief) {
   return {};
 }
 
-/// The laser sees something that the map does not know. Another way may lead around it.
+/// The laser sees something that the map does not know. Another route may lead around it.
 void Explorer::blocked(const Belief& belief) {
   if (belief.time_s - decided_at_s_ < 1) return;
   ++lost_;
   decide(belief);
   if (lost_ < params_.giveup || mode_ != Mode::driving) return;
-  giveUp(belief, "the way there was blocked again and again");
+  giveUp(belief, "the route there was blocked again and again");
   if (!done()) decide(belief);
 }
 

@@ -82,7 +82,7 @@ bool Explorer::routeStands(const Belief& belief) const {
                     params_);
 }
 
-/// What the robot is on its way to is not gone to again.
+/// What the robot drives to already is not gone to again.
 void Explorer::giveUp(const Belief& belief, const std::string& why) {
   switch (heading_.purpose) {
     case Purpose::entry:

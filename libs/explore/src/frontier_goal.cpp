@@ -20,11 +20,11 @@ std::vector<Candidate> candidatesOf(const std::vector<Frontier>& frontiers) {
   std::vector<Candidate> out;
   for (const Frontier& f : frontiers)
     out.push_back({f.target, f.width_m,
-                   f.stand >= 0 ? std::optional<double>(f.way_m) : std::nullopt, f.left});
+                   f.stand >= 0 ? std::optional<double>(f.route_m) : std::nullopt, f.left});
   return out;
 }
 
-/// The one that the robot is on its way to is kept while it is there: no dithering.
+/// The one that the robot drives to is kept while it is there: no dithering.
 const Frontier& FrontierGoal::kept(const Frontier& next, const Heading& heading) const {
   if (heading.purpose != Purpose::frontier) return next;
   for (const Frontier& f : frontiers_)
@@ -46,9 +46,9 @@ Answer FrontierGoal::answer(const Question& q, Logbook& log) {
   const bool same = q.heading.purpose == Purpose::frontier &&
                     geometry::distance(goal.target, q.heading.at) < 2 * kSame_m;
   if (!same) {
-    Decision& d = log.note(
-        q.belief, DecisionKind::frontier,
-        fmt::format("drives to a frontier {:.1f} m wide, {:.1f} m away", goal.width_m, goal.way_m));
+    Decision& d = log.note(q.belief, DecisionKind::frontier,
+                           fmt::format("drives to a frontier {:.1f} m wide, {:.1f} m away",
+                                       goal.width_m, goal.route_m));
     d.goal = goal.target;
     d.frontiers = candidatesOf(frontiers_);
   }

@@ -72,9 +72,9 @@ void approach(Frontier& f, const std::vector<int>& cells, const Planner& planner
     f.target = centre;
   }
   if (f.stand >= 0)
-    f.way_m = planner.length(f.stand);
+    f.route_m = planner.length(f.stand);
   else
-    f.left = near_failed ? near_failed->why : "no way leads there";
+    f.left = near_failed ? near_failed->why : "no route leads there";
 }
 
 }  // namespace
@@ -107,8 +107,8 @@ std::optional<std::size_t> chooseFrontier(const std::vector<Frontier>& frontiers
                                           const ExploreParams& params) {
   const auto cost = [&](const Frontier& f) {
     return params.frontier_choice == FrontierChoice::nearest
-               ? f.way_m
-               : f.way_m - params.gain_m_per_m * f.width_m;
+               ? f.route_m
+               : f.route_m - params.gain_m_per_m * f.width_m;
   };
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < frontiers.size(); ++i)

@@ -30,12 +30,12 @@ bool routeHolds(const grid::OccupancyGrid& map, const Route& route, std::size_t 
   constexpr double kEvery_m = 0.15;
   if (next >= route.size()) return false;
   if (geometry::distance(route[next], robot) > kOff_m) return false;
-  double way = 0;
+  double ahead_m = 0;
   double looked = -kEvery_m;
-  for (std::size_t i = next; i < route.size() && way < kLookahead_m; ++i) {
-    if (i > next) way += geometry::distance(route[i], route[i - 1]);
-    if (way - looked < kEvery_m) continue;
-    looked = way;
+  for (std::size_t i = next; i < route.size() && ahead_m < kLookahead_m; ++i) {
+    if (i > next) ahead_m += geometry::distance(route[i], route[i - 1]);
+    if (ahead_m - looked < kEvery_m) continue;
+    looked = ahead_m;
     bool wall = false;
     forEachNear(map, route[i], params.robot_radius_m, [&](std::int8_t odds) { wall |= odds < 0; });
     if (wall) return false;

@@ -8,7 +8,7 @@ Answer HomeGoal::answer(const Question& q, const std::vector<Candidate>& left, L
   const mrpt::math::TPose2D start = filter::ancestorAt(q.belief.path, 0)->pose();
   const mrpt::math::TPoint2D at{start.x, start.y};
   const int cell = q.planner.nearestTo(at, kAbout_m);
-  if (cell < 0) return {{}, "no way leads home"};
+  if (cell < 0) return {{}, "no route leads home"};
   if (q.heading.purpose != Purpose::home)
     log.note(q.belief, DecisionKind::home, "nothing left to explore: drives home").frontiers = left;
   return {Destination{{Purpose::home, at}, q.planner.routeTo(cell)}, ""};

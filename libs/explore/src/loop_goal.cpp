@@ -41,7 +41,7 @@ Answer LoopGoal::toEntry(const Question& q, const Closing& loop, Logbook& log) {
   const auto at_te = filter::ancestorAt(q.belief.path, loop.opportunity.te)->pose();
   const TPoint2D entry{at_te.x, at_te.y};
   const int cell = q.planner.nearestTo(entry, kAbout_m);
-  if (cell < 0) return leave(q.belief, loop, "no way leads to the entry", log);
+  if (cell < 0) return leave(q.belief, loop, "no route leads to the entry", log);
   const bool on_its_way = q.heading.purpose == Purpose::entry;
   if (on_its_way && q.arrived)
     return leave(q.belief, loop, "at the entry's place the robot does not recognise it", log);

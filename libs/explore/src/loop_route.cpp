@@ -38,7 +38,7 @@ mrpt::math::TPoint2D LoopRoute::next(const filter::AncestorPtr& leaf,
     ahead_ = te_;
     ++whole_laps_;
   }
-  // The robot may have come to where it was sent on another way than the path's.
+  // The robot may have come to where it was sent on another route than the path's.
   const auto near = [&](std::size_t update) {
     return geometry::distance(place(update), robot) < kPassed_m;
   };
@@ -46,9 +46,9 @@ mrpt::math::TPoint2D LoopRoute::next(const filter::AncestorPtr& leaf,
     if (near(update)) cursor_ = update;
   while (cursor_ < entered_ && near(cursor_)) ++cursor_;
   ahead_ = cursor_;
-  double way = 0;
-  while (ahead_ < entered_ && way < kAhead_m) {
-    way += geometry::distance(place(ahead_ + 1), place(ahead_));
+  double ahead_m = 0;
+  while (ahead_ < entered_ && ahead_m < kAhead_m) {
+    ahead_m += geometry::distance(place(ahead_ + 1), place(ahead_));
     ++ahead_;
   }
   return place(ahead_);

@@ -10,7 +10,7 @@ namespace {
 // 99 / 70 is the square root of two to four digits; whole numbers allow a queue of buckets.
 constexpr int kStraight = 70;
 constexpr int kDiagonal = 99;
-constexpr int kWorstFactor = 3;  // of a way beside walls
+constexpr int kWorstFactor = 3;  // of a route beside walls
 
 }  // namespace
 
@@ -77,7 +77,7 @@ void Planner::search(int start) {
     for (std::size_t k = 0; k < bucket.size(); ++k) {
       const auto [cost, cell] = bucket[k];
       --waiting;
-      if (cost != cost_[cell]) continue;  // reached on a cheaper way meanwhile
+      if (cost != cost_[cell]) continue;  // reached on a cheaper route meanwhile
       for (const auto& [offset, step] : steps) {
         const int next = cell + offset;
         if (!open_[next]) continue;

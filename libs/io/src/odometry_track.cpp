@@ -20,7 +20,7 @@ bool isPossible(const TPose2D& p, double farthest_m) {
   return std::abs(p.x) < farthest_m && std::abs(p.y) < farthest_m && std::abs(p.phi) < 1e6;
 }
 
-/// The pose at share `s` of the way from a to b, turning the short way round.
+/// The pose at share `s` of the motion from a to b, turning by the shorter arc.
 TPose2D between(const TPose2D& a, const TPose2D& b, double s) {
   if (s >= 1) return b;  // to the bit
   const double turn = std::remainder(b.phi - a.phi, 2 * M_PI);
@@ -144,7 +144,7 @@ bool OdometryTrack::locate(Waiting& scan) {
     const std::size_t nearest = nearestReading(scan);
     pair = Pair{nearest, nearest};
   }
-  if (readings_[pair->before].jumps != readings_[pair->after].jumps) {  // no way between the two
+  if (readings_[pair->before].jumps != readings_[pair->after].jumps) {  // no motion joins the two
     const bool later =
         time_s - readings_[pair->before].time_s > readings_[pair->after].time_s - time_s;
     (later ? pair->before : pair->after) = later ? pair->after : pair->before;
@@ -166,12 +166,12 @@ bool OdometryTrack::locate(Waiting& scan) {
 void OdometryTrack::countJump(const models::SensorStep& step) {
   OdometryJumps& jumps = counts_.odometry_jumps;
   if (jumps.count++ > 0) return;
-  const TPose2D way = geometry::relativePose(last_->odom_from_robot, step.odom_from_robot);
+  const TPose2D motion = geometry::relativePose(last_->odom_from_robot, step.odom_from_robot);
   jumps.scan = scans_;
   jumps.time_s = step.time_s;
   jumps.span_s = step.time_s - last_->time_s;
-  jumps.distance_m = std::hypot(way.x, way.y);
-  jumps.turn_deg = std::abs(way.phi) * 180 / M_PI;
+  jumps.distance_m = std::hypot(motion.x, motion.y);
+  jumps.turn_deg = std::abs(motion.phi) * 180 / M_PI;
 }
 
 std::optional<models::SensorStep> OdometryTrack::pop() {

@@ -11,7 +11,7 @@ namespace {
 
 // Lasers take turns, so the labels of all are among the first scans.
 constexpr std::size_t kLeastSurveyed = 200;
-// What means "no return" shows over a way of some metres: at 40 scans a second, the next 50 s.
+// What means "no return" shows over some metres of driving: at 40 scans a second, the next 50 s.
 constexpr std::size_t kMostSurveyed = 2000;
 constexpr std::size_t kMostBeamsSurveyed = 1'000'000;
 

@@ -15,7 +15,7 @@ MissionParams withStrategy(MissionParams params) {
   return params;
 }
 
-/// The robot's way from scan to scan, in short periods so that a contact is found where it is.
+/// The robot's motion from scan to scan, in short periods so that a contact is found where it is.
 class Drive {
  public:
   Drive(const sim::World& world, const mrpt::math::TPose2D& start, const sim::DriveParams& params)
@@ -24,7 +24,7 @@ class Drive {
   const sim::Robot& robot() const { return robot_; }
   double travelled_m() const { return travelled_m_; }
 
-  /// Returns whether the robot touched something on the way.
+  /// Returns whether the robot touched something.
   bool until(double time_s, const models::VelocityCommand& command) {
     constexpr double kPeriod_s = 0.05;
     const double from_s = robot_.time_s();

@@ -38,14 +38,14 @@ std::optional<double> JumpDetector::usualStep_m() const {
 bool JumpDetector::operator()(const TPose2D& odom_from_robot, double time_s) {
   const auto before = std::exchange(before_, Place{odom_from_robot, time_s});
   if (!before) return false;
-  const TPose2D way = geometry::relativePose(before->pose, odom_from_robot);
-  const double distance_m = std::hypot(way.x, way.y);
+  const TPose2D motion = geometry::relativePose(before->pose, odom_from_robot);
+  const double distance_m = std::hypot(motion.x, motion.y);
   const double span_s = time_s - before->time_s;
   const double speed_m_s =
       span_s > 0 ? distance_m / span_s : std::numeric_limits<double>::infinity();
-  const double rate = span_s > 0 ? std::abs(way.phi) / span_s : 0;
+  const double rate = span_s > 0 ? std::abs(motion.phi) / span_s : 0;
   const bool home = isHome(odom_from_robot);
-  const double turn = std::abs(way.phi);
+  const double turn = std::abs(motion.phi);
   if (turn > DEG2RAD(home ? 30.0 : 100.0) && rate > DEG2RAD(home ? 150.0 : 450.0)) return true;
   const auto usual_m = usualStep_m();
   // Over a gap in the log any distance is slow, so that of a reset the place alone tells.

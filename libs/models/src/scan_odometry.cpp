@@ -18,7 +18,7 @@ using mrpt::math::TPose2D;
 
 // Mean field under the endpoints below which a scan fits nowhere.
 constexpr double kFits = 0.3;
-// A scan enters the map after this way; a map is left after that one.
+// A scan enters the map after this motion; a map is left after that distance.
 constexpr double kInsert_m = 0.1;
 constexpr double kInsert_rad = 0.1;
 constexpr double kForget_m = 5;
@@ -70,14 +70,15 @@ TPose2D ScanOdometry::add(const SensorStep& step) {
   motion_ = geometry::relativePose(from, pose_);
   motion_s_ = step.time_s - time_s_;
   time_s_ = step.time_s;
-  const TPose2D way = geometry::relativePose(inserted_, pose_);
-  if (std::hypot(way.x, way.y) > kInsert_m || std::abs(way.phi) > kInsert_rad) insert(*step.scan);
+  const TPose2D motion = geometry::relativePose(inserted_, pose_);
+  if (std::hypot(motion.x, motion.y) > kInsert_m || std::abs(motion.phi) > kInsert_rad)
+    insert(*step.scan);
   return pose_;
 }
 
 void ScanOdometry::insert(const mrpt::obs::CObservation2DRangeScan& scan) {
-  const TPose2D way = geometry::relativePose(inserted_, pose_);
-  next_m_ += std::hypot(way.x, way.y);
+  const TPose2D motion = geometry::relativePose(inserted_, pose_);
+  next_m_ += std::hypot(motion.x, motion.y);
   if (next_m_ > kForget_m) {
     map_ = std::exchange(next_, grid::OccupancyGrid(grid_));
     next_m_ = 0;

@@ -45,27 +45,27 @@ struct TerminalSignalsIgnored {
 
 }  // namespace
 
-Called call(std::vector<std::string> argv, double limit_s) {
-  Called called;
+CallResult call(std::vector<std::string> argv, double limit_s) {
+  CallResult result;
   const std::string name = argv[0];
   argv[0] = findInPath(name).string();
-  if ((called.missing = argv[0].empty())) return called;
+  if ((result.missing = argv[0].empty())) return result;
   const io::ScratchFolder scratch("called");
   const std::filesystem::path printed = scratch.path() / "stdout";
   Process process(argv, printed);
   std::optional<ProcessEnd> end;
   while (!(end = process.poll())) {
     if (process.elapsed_s() > limit_s) {
-      called.error = fmt::format("no answer in {} s", limit_s);
-      return called;
+      result.error = fmt::format("no answer in {} s", limit_s);
+      return result;
     }
     waitForAny({&process}, std::chrono::milliseconds(100));
   }
-  called.ok = end->signal == 0 && end->exit_code == 0;
-  called.out = io::readWhole(printed);
-  called.error = trimmedEnd(end->last_words);
-  if (!called.ok && called.error.empty()) called.error = describe(*end);
-  return called;
+  result.ok = end->signal == 0 && end->exit_code == 0;
+  result.out = io::readWhole(printed);
+  result.error = trimmedEnd(end->last_words);
+  if (!result.ok && result.error.empty()) result.error = describe(*end);
+  return result;
 }
 
 void callInForeground(const std::vector<std::string>& argv) {

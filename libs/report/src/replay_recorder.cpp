@@ -15,8 +15,9 @@
 namespace ariadne::report {
 namespace {
 
-/// Way of s* in its last update; not that to the pose of the s* before, which may be another.
-double lastWay(const filter::Ancestor& leaf) {
+/// Distance that s* moved in its last update; not that to the pose of the s* before, which may be
+/// another.
+double lastDistance(const filter::Ancestor& leaf) {
   if (!leaf.parent()) return 0;
   const auto& from = leaf.parent()->pose();
   return geometry::distance(leaf.pose(), from);
@@ -57,7 +58,7 @@ void ReplayRecorder::Impl::add(const slam::StepReport& report, const FilterView&
   ReplayStep step;
   step.time_s = report.time_s;
   step.distance_m =
-      (replay.steps.empty() ? 0 : replay.steps.back().distance_m) + lastWay(*best.ancestor);
+      (replay.steps.empty() ? 0 : replay.steps.back().distance_m) + lastDistance(*best.ancestor);
   step.neff = report.neff;
   step.resampled = report.resampled;
   if (view.graph) step.unique_ancestors = report.unique_ancestors;

@@ -10,10 +10,10 @@
 namespace ariadne::report {
 namespace {
 
-using Ways = std::vector<std::pair<std::size_t, std::size_t>>;
+using Edges = std::vector<std::pair<std::size_t, std::size_t>>;
 
-void drawWays(cairo_t* cr, const View& view, const DrawnGraph& graph, const Ways& ways) {
-  for (const auto& [a, b] : ways) {
+void drawEdges(cairo_t* cr, const View& view, const DrawnGraph& graph, const Edges& edges) {
+  for (const auto& [a, b] : edges) {
     cairo_move_to(cr, view.x(graph.places[a].x), view.y(graph.places[a].y));
     cairo_line_to(cr, view.x(graph.places[b].x), view.y(graph.places[b].y));
     cairo_stroke(cr);
@@ -26,7 +26,7 @@ void drawDisc(cairo_t* cr, double x, double y, double radius) {
   cairo_fill(cr);
 }
 
-void setWay(cairo_t* cr) { cairo_set_source_rgb(cr, 0.75, 0.1, 0.1); }
+void setEdge(cairo_t* cr) { cairo_set_source_rgb(cr, 0.75, 0.1, 0.1); }
 void setShortcut(cairo_t* cr) { cairo_set_source_rgb(cr, 0.1, 0.3, 0.85); }
 
 constexpr double kEntryRadius = 9;
@@ -75,7 +75,7 @@ void drawLegend(MapPicture& picture, const DrawnGraph& graph) {
     x = picture.drawText(x + 28, text) + 16;
   };
   cairo_set_line_width(cr, 3);
-  sample(setWay, "way");
+  sample(setEdge, "path");
   sample(setShortcut, "closes a cycle");
   drawEntry(cr, x + kEntryRadius, y, "n");
   picture.drawText(x + 24, "entry of closing n");
@@ -88,13 +88,13 @@ void writeTopology(const std::filesystem::path& file, const mrpt::maps::COccupan
   MapPicture picture(file, map);
   cairo_t* cr = picture.context();
   const View& view = picture.view();
-  setWay(cr);
+  setEdge(cr);
   cairo_set_line_width(cr, 2);
-  drawWays(cr, view, graph, graph.ways);
+  drawEdges(cr, view, graph, graph.edges);
   for (const auto& p : graph.places) drawDisc(cr, view.x(p.x), view.y(p.y), 3.5);
   setShortcut(cr);
   cairo_set_line_width(cr, 3);
-  drawWays(cr, view, graph, graph.shortcuts);
+  drawEdges(cr, view, graph, graph.shortcuts);
   drawEntries(cr, view, graph.entries);
   picture.drawScaleBar();
   drawLegend(picture, graph);

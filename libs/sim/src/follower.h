@@ -25,7 +25,7 @@ class Follower {
 
   std::size_t reached() const { return reached_; }
   bool done() const { return reached_ == waypoints_.size(); }
-  /// Time that the way from here to the next waypoint takes at most if nothing is wrong, seconds.
+  /// Time that driving from here to the next waypoint takes at most if nothing is wrong, seconds.
   double patience(const mrpt::math::TPose2D& robot) const;
 
  private:

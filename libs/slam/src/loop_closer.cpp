@@ -119,7 +119,7 @@ std::size_t LoopCloser::uniqueAncestors(const filter::ParticleSet& particles, st
 }
 
 void LoopCloser::save(std::size_t name, const filter::ParticleSet& particles) {
-  extras_.resize(watcher_.closings().size());
+  outcomes_.resize(watcher_.closings().size());
   const std::size_t te = watcher_.closings()[name].opportunity.te;
   recovery::SavedSet set = recovery::save(particles, graphs_, te);
   SavingRecord record;
@@ -129,10 +129,10 @@ void LoopCloser::save(std::size_t name, const filter::ParticleSet& particles) {
   record.at_te = past_[te].particles;
   record.saved = posesOf(set);
   record.memory_mb = static_cast<double>(set.mapBytes()) / 1e6;
-  extras_[name].saving = std::move(record);
+  outcomes_[name].saving = std::move(record);
   for (const std::size_t dropped : stack_.push(name, std::move(set))) {
-    extras_[dropped].dropped = true;
-    extras_[dropped].note = fmt::format(
+    outcomes_[dropped].dropped = true;
+    outcomes_[dropped].note = fmt::format(
         "the saved set was dropped, so nothing was recovered: saved sets took more than "
         "recovery.memory_budget_mb = {}",
         params_.recovery.memory_budget_mb);
@@ -141,10 +141,10 @@ void LoopCloser::save(std::size_t name, const filter::ParticleSet& particles) {
 
 void LoopCloser::recover(std::size_t name, filter::ParticleSet& particles, const Scans& scans) {
   auto saved = stack_.pop(name);
-  Extra& extra = extras_[name];
+  Outcome& outcome = outcomes_[name];
   if (!saved) return;
   if (!params_.recovery.enabled) {
-    extra.note = "recovery is off";
+    outcome.note = "recovery is off";
     return;
   }
   const auto start = std::chrono::steady_clock::now();
@@ -166,7 +166,7 @@ void LoopCloser::recover(std::size_t name, filter::ParticleSet& particles, const
   record.after = leavesOf(particles);
   record.distinct_after = filter::distinctAncestors(record.after, saved->te);
   record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  extra.recovery = std::move(record);
+  outcome.recovery = std::move(record);
 }
 
 void LoopCloser::search(filter::ParticleSet& particles, const Scans& scans) {
@@ -176,10 +176,10 @@ void LoopCloser::search(filter::ParticleSet& particles, const Scans& scans) {
   if (!closure) return;
   const auto start = std::chrono::steady_clock::now();
   // What was saved after the beginning belongs to ways that are replaced.
-  extras_.resize(watcher_.closings().size());
+  outcomes_.resize(watcher_.closings().size());
   for (const closing::Closing& c : watcher_.closings())
     if (c.opportunity.te > closure->begin && stack_.holds(c.name))
-      extras_[c.name].note =
+      outcomes_[c.name].note =
           "nothing was recovered: the ways were drawn anew, given a closure found from afar";
   stack_.dropAfter(closure->begin);
   const recovery::SavedSet present = recovery::save(particles, graphs_, closure->begin);
@@ -206,10 +206,10 @@ void LoopCloser::search(filter::ParticleSet& particles, const Scans& scans) {
 std::vector<ClosingRecord> LoopCloser::records() const {
   std::vector<ClosingRecord> records;
   for (const closing::Closing& c : watcher_.closings()) {
-    const Extra& extra = extras_[c.name];
-    records.push_back({c, extra.saving, extra.recovery, extra.note, extra.dropped});
+    const Outcome& outcome = outcomes_[c.name];
+    records.push_back({c, outcome.saving, outcome.recovery, outcome.note, outcome.dropped});
     std::string& note = records.back().note;
-    if (!note.empty() || extra.recovery) continue;
+    if (!note.empty() || outcome.recovery) continue;
     note = c.ended ? "nothing was recovered: " + c.end_reason
                    : "still open at the end of the log: nothing was recovered";
   }

@@ -50,12 +50,12 @@ bool PlaceGraph::joined(std::uint32_t a, std::uint32_t b) const {
   return found;
 }
 
-void PlaceGraph::arriveAt(std::uint32_t place, double way_m) {
+void PlaceGraph::arriveAt(std::uint32_t place, double length_m) {
   if (visits_.empty() || visits_.back().place == place) return;
   const std::uint32_t from = visits_.back().place;
   if (!joined(from, place))
     edges_.push_back(
-        {from, place, static_cast<float>(way_m), static_cast<std::uint32_t>(visits_.size())});
+        {from, place, static_cast<float>(length_m), static_cast<std::uint32_t>(visits_.size())});
 }
 
 bool PlaceGraph::observesAny(const TPoint2D& position, const grid::OccupancyGrid& map,
@@ -152,12 +152,12 @@ std::vector<double> PlaceGraph::distances() const {
   length[visits_.back().place] = visits_.back().stub_m;
   open.emplace(visits_.back().stub_m, visits_.back().place);
   while (!open.empty()) {
-    const auto [way, place] = open.top();
+    const auto [reached_m, place] = open.top();
     open.pop();
-    if (way > length[place]) continue;
+    if (reached_m > length[place]) continue;
     for (const auto& [next, edge] : neighbours[place])
-      if (way + edge < length[next]) {
-        length[next] = way + edge;
+      if (reached_m + edge < length[next]) {
+        length[next] = reached_m + edge;
         open.emplace(length[next], next);
       }
   }

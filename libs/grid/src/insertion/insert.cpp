@@ -8,9 +8,10 @@ namespace {
 
 /// Adds free evidence a few tiles behind the raster: other particles have pushed this one's tiles
 /// out of the cache, and meanwhile they come.
-class Behind {
+class DelayedAddition {
  public:
-  Behind(EvidencePlane& cells, std::vector<CellBox>& freed) : cells_(cells), freed_(freed) {}
+  DelayedAddition(EvidencePlane& cells, std::vector<CellBox>& freed)
+      : cells_(cells), freed_(freed) {}
   void add(int tx, int ty, const TileMask& free) {
     cells_.prefetch(tx, ty);
     if (count_ - done_ == kTiles) addOldest();
@@ -55,10 +56,10 @@ void OccupancyGrid::insert(const ScanShape& shape, const mrpt::math::TPose2D& ma
   static thread_local Scratch scratch;
   scratch.raster.build(shape, CellsFromRobot(map_from_robot, origin_, resolution_));
   scratch.freed.clear();
-  Behind behind(cells_, scratch.freed);
+  DelayedAddition addition(cells_, scratch.freed);
   scratch.raster.forEachTile(
-      [&](int tx, int ty, const TileMask& free) { behind.add(tx, ty, free); });
-  behind.finish();
+      [&](int tx, int ty, const TileMask& free) { addition.add(tx, ty, free); });
+  addition.finish();
   scratch.turned.clear();
   cells_.addHits(scratch.raster.hits(), evidence_.occupied, scratch.turned);
   for (const Cell cell : scratch.turned) field_.occupy(cell);

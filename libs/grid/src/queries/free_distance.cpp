@@ -12,7 +12,7 @@ namespace {
 constexpr int kStraight = 70;
 constexpr int kDiagonal = 99;
 constexpr double kMostReach = 250;  // cells; distances along rows are bytes
-// In place of a length. A blocked cell is less than any, so that no way into it is shorter.
+// In place of a length. A blocked cell is less than any, so that no path into it is shorter.
 constexpr std::int32_t kBlocked = -1;
 constexpr std::int32_t kUnreached = std::numeric_limits<std::int32_t>::max();
 
@@ -86,10 +86,10 @@ struct Box {
   double x0, x1, y0, y1;
 };
 
-/// Where the ways from `from` lie that are no longer than the limit: all of them, or those to the
-/// targets. A way of length l to b keeps to the ellipse |p - from| + |p - b| <= l.
-Box boxOfWays(const mrpt::math::TPoint2D& from, double limit_m,
-              const std::vector<mrpt::math::TPoint2D>& targets) {
+/// Where the paths from `from` lie that are no longer than the limit: all of them, or those to the
+/// targets. A path of length l to b keeps to the ellipse |p - from| + |p - b| <= l.
+Box boxOfPaths(const mrpt::math::TPoint2D& from, double limit_m,
+               const std::vector<mrpt::math::TPoint2D>& targets) {
   if (targets.empty())
     return {from.x - limit_m, from.x + limit_m, from.y - limit_m, from.y + limit_m};
   Box box{from.x, from.x, from.y, from.y};
@@ -122,7 +122,7 @@ FreeDistance::FreeDistance(const OccupancyGrid& map, const mrpt::math::TPoint2D&
   // many below and above as a wall's clearance reaches (within a row Clearance looks farther).
   const int margin = 2 + static_cast<int>(std::min(robot_radius_m / resolution_, kMostReach));
   // Ways are between centres of cells, half a diagonal from the points at the most.
-  const Box box = boxOfWays(from, limit_m + 2 * resolution_, targets);
+  const Box box = boxOfPaths(from, limit_m + 2 * resolution_, targets);
   const Cell low = map.cellOf({box.x0, box.y0});
   const Cell high = map.cellOf({box.x1, box.y1});
   corner_ = {low.x - 2, low.y - margin};
@@ -171,7 +171,7 @@ void FreeDistance::search(int start) {
     for (std::size_t k = 0; k < bucket.size(); ++k) {
       const auto [length, cell] = bucket[k];
       --waiting;
-      if (length != units_[cell]) continue;  // reached on a shorter way meanwhile
+      if (length != units_[cell]) continue;  // reached on a shorter path meanwhile
       for (const auto& [offset, cost] : steps) {
         const int next = cell + offset;
         const std::int32_t reached = length + cost;

@@ -12,7 +12,7 @@ namespace ariadne::batch {
 
 class Claims {
  public:
-  /// An owner on another machine is held for dead when it gave no sign of life for `patience`.
+  /// An owner on another machine is taken for dead when it gave no sign of life for `patience`.
   explicit Claims(std::filesystem::path folder,
                   std::chrono::seconds patience = std::chrono::seconds(180));
   /// Gives back what is still claimed.

@@ -1,4 +1,4 @@
-// One run of a plan as a process: started, watched, judged.
+// One run of a plan as a process: started, watched, its result taken.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -33,7 +33,7 @@ class Worker {
   const Process& process() const { return process_; }
 
  private:
-  RunResult judge(const ProcessEnd& end) const;
+  RunResult resultOf(const ProcessEnd& end) const;
   const Store& store_;
   const Plan& plan_;
   const PlannedRun& run_;

@@ -17,11 +17,11 @@ struct Slice {
   bool waits = false;  ///< its task has not begun
 };
 
-/// Of `slices`, those with a run that has no result and is in none of `living`, in order.
+/// Of `slices`, those with a run that has no result and is in none of `active`, in order.
 /// @param again keys of runs whose results were dropped just now: tasks that have begun are past
 /// them, those that wait will do them
 std::vector<std::size_t> openSlices(const batch::Plan& plan, const batch::Store& store,
-                                    std::size_t slices, const std::vector<Slice>& living,
+                                    std::size_t slices, const std::vector<Slice>& active,
                                     const std::set<std::string>& again = {});
 
 /// "1-4,7,9-12", as sbatch takes it; of rising numbers.

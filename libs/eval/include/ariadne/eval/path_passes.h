@@ -17,7 +17,7 @@ struct PassParams {
 /// A point of the path.
 struct PathPoint {
   double time_s = 0;
-  double way_m = 0;        ///< path since its start
+  double travelled_m = 0;  ///< path since its start
   std::size_t passes = 0;  ///< times it was here before
 };
 

@@ -41,9 +41,9 @@ struct InnerLoop {
   double neff_slope_per_m = 0;  ///< of ln Neff within the closing, resamplings apart
   double resamplings = 0;       ///< within the closing
   double recovery_s = kNone;    ///< wall clock
-  /// Change of ln Neff per 10 m of way, resamplings taken out, until the recovery: on ground that
-  /// was never driven before, once, twice, more often (eval::PassParams' defaults). NaN where the
-  /// robot was on no such ground.
+  /// Change of ln Neff per 10 m travelled, resamplings taken out, until the recovery: on ground
+  /// that was never driven before, once, twice, more often (eval::PassParams' defaults). NaN where
+  /// the robot was on no such ground.
   double ln_neff_new_per_10m = kNone;
   double ln_neff_once_per_10m = kNone;
   double ln_neff_twice_per_10m = kNone;

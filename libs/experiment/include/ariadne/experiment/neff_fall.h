@@ -23,8 +23,8 @@ std::vector<NeffStep> readNeffSteps(const std::filesystem::path& file);
 /// One update: the change of ln Neff since the update before, resampling taken out (Neff starts
 /// from N after one).
 struct NeffChange {
-  double way_m = 0;     ///< true path up to this update
-  double length_m = 0;  ///< of true path since the one before
+  double travelled_m = 0;  ///< true path up to this update
+  double length_m = 0;     ///< of true path since the one before
   std::size_t passes = 0;
   double ln_change = 0;
   bool resampled = false;
@@ -36,7 +36,7 @@ std::vector<NeffChange> neffChanges(const std::vector<NeffStep>& steps,
 
 /// Sums over the updates whose place had been passed so often before.
 struct NeffFall {
-  double way_m = 0;
+  double travelled_m = 0;
   double ln_change = 0;
   std::size_t resamplings = 0;
 };

@@ -12,8 +12,8 @@ namespace ariadne::explore {
 struct Candidate {
   mrpt::math::TPoint2D at;  ///< m, map frame
   double width_m = 0;
-  std::optional<double> way_m;  ///< nothing where no way leads there
-  std::string left;             ///< why it is not gone to; empty: it may be
+  std::optional<double> route_m;  ///< nothing where no route leads there
+  std::string left;               ///< why it is not gone to; empty: it may be
 };
 
 /// The loop that a decision is about, Eq. (7) and (9).

@@ -4,7 +4,7 @@
 // simulator. Where to go is the goals' word (loop_goal.h, frontier_goal.h, home_goal.h); here is
 // when they are asked, and what the robot does in between.
 #pragma once
-#include "ariadne/explore/believed_way.h"
+#include "ariadne/explore/believed_motion.h"
 #include "ariadne/explore/bumper.h"
 #include "ariadne/explore/frontier_goal.h"
 #include "ariadne/explore/home_goal.h"
@@ -31,7 +31,7 @@ class Explorer {
   /// All frontiers as of the last decision.
   const std::vector<Frontier>& frontiers() const { return frontier_goal_.frontiers(); }
   /// Way that the filter believes to have driven, m.
-  double travelled_m() const { return way_.travelled_m(); }
+  double travelled_m() const { return motion_.travelled_m(); }
   /// CPU time of the slowest decision, s.
   double slowestDecision_s() const { return slowest_s_; }
   /// CPU time of all decisions, s.
@@ -62,7 +62,7 @@ class Explorer {
   HomeGoal home_goal_;
   RouteFollower follower_;
   Bumper bumper_;
-  BelievedWay way_;
+  BelievedMotion motion_;
   Logbook log_;
   Mode mode_ = Mode::looking_around;
   Heading heading_;
@@ -73,7 +73,7 @@ class Explorer {
   double checked_at_m_ = 0;
   double checked_at_s_ = 0;
   std::size_t updates_ = 0;  // of the filter, at the last step
-  int lost_ = 0;             // how often in a row the way to the goal was lost
+  int lost_ = 0;             // how often in a row the route to the goal was lost
   double slowest_s_ = 0;
   double decisions_s_ = 0;
 };

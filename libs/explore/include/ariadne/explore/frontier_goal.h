@@ -14,7 +14,7 @@ class FrontierGoal {
  public:
   explicit FrontierGoal(const ExploreParams& params) : params_(params) {}
 
-  /// Notes another frontier than the one that the robot is on its way to.
+  /// Notes another frontier than the one that the robot drives to.
   Answer answer(const Question& question, Logbook& log);
   /// A frontier that is all about there is not gone to again.
   void fail(const mrpt::math::TPoint2D& at, const std::string& why) {

@@ -12,10 +12,11 @@ namespace ariadne::explore {
 struct Frontier {
   std::vector<mrpt::math::TPoint2D> cells;  ///< centres, m, map frame
   double width_m = 0;                       ///< diagonal of the box of its cells' centres
-  mrpt::math::TPoint2D target;  ///< the cell to look at; of the cells the nearest by way
-  int stand = -1;               ///< where the robot stands to see it; -1: none
-  double way_m = 0;             ///< to `stand`
-  std::string left;             ///< why it is not gone to; empty: it may be
+  mrpt::math::TPoint2D
+      target;          ///< the cell to look at; of the cells the one with the shortest route
+  int stand = -1;      ///< where the robot stands to see it; -1: none
+  double route_m = 0;  ///< to `stand`
+  std::string left;    ///< why it is not gone to; empty: it may be
 };
 
 /// Places where a frontier was gone to and did not give way.
@@ -24,8 +25,9 @@ struct FailedTarget {
   std::string why;
 };
 
-/// All frontiers, those with a reason to be left too, in the order of their first cell. Cells within
-/// the robot's radius of a wall do not count: its centre cannot pass there. A frontier is left when it is narrower than the robot, when no way leads to a place from which it can be
+/// All frontiers, those with a reason to be left too, in the order of their first cell. Cells
+/// within the robot's radius of a wall do not count: its centre cannot pass there. A frontier is
+/// left when it is narrower than the robot, when no route leads to a place from which it can be
 /// seen, or when all of it is near failed targets.
 std::vector<Frontier> findFrontiers(const Planner& planner, const ExploreParams& params,
                                     const std::vector<FailedTarget>& failed);

@@ -10,7 +10,7 @@ namespace ariadne::explore {
 
 enum class Purpose { none, frontier, entry, loop, home };
 
-/// What the robot is on its way to.
+/// What the robot drives to.
 struct Heading {
   Purpose purpose = Purpose::none;
   mrpt::math::TPoint2D at;  ///< m, map frame

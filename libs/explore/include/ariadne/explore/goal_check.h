@@ -1,5 +1,5 @@
-// Whether a goal and the way there still stand, by a look at the map beside them: much cheaper than
-// to decide anew.
+// Whether a goal and the route there still stand, by a look at the map beside them: much cheaper
+// than to decide anew.
 #pragma once
 #include "ariadne/explore/planner.h"
 

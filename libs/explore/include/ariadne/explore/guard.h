@@ -14,7 +14,7 @@ namespace ariadne::explore {
 std::vector<mrpt::math::TPoint2D> hitsOf(const mrpt::obs::CObservation2DRangeScan& scan,
                                          double range_m);
 
-/// Whether one of the hits stands in the way of the robot's disc within the next `ahead_m` m.
+/// Whether one of the beams' ends lies where the robot's disc is within the next `ahead_m` m.
 bool blocked(const std::vector<mrpt::math::TPoint2D>& hits, double ahead_m,
              const ExploreParams& params);
 

@@ -1,6 +1,6 @@
-// The way through a loop once its entry is reached: along the path that was taken after te, in the
-// order of time (section IV). It is known as steps of s*'s ancestry, not as coordinates, since s*
-// may change on the way.
+// The route through a loop once its entry is reached: along the path that was taken after te, in
+// the order of time (section IV). It is known as steps of s*'s ancestry, not as coordinates, since
+// s* may change meanwhile.
 #pragma once
 #include <optional>
 

@@ -44,24 +44,24 @@ void visitFields(V& v, ExploreParams& p) {
   v.choice("frontier_choice", p.frontier_choice,
            core::Choices<FrontierChoice>{{"nearest", FrontierChoice::nearest},
                                          {"utility", FrontierChoice::utility}},
-           "which frontier is next: the one with the shortest way, or the one with the most "
-           "gain_m_per_m * width - way");
+           "which frontier is next: the one with the shortest route, or the one with the most "
+           "gain_m_per_m * width - length of the route");
   v.number("gain_m_per_m", p.gain_m_per_m, {0, 1000},
-           "metres of way that a metre of frontier is worth, for frontier_choice = utility");
+           "metres of route that a metre of frontier is worth, for frontier_choice = utility");
   v.number("robot_radius_m", p.robot_radius_m, {0.05, 2}, "the robot is a disc");
   v.number("clearance_m", p.clearance_m, {0, 2},
-           "planned ways keep this distance from walls, besides the radius");
+           "planned routes keep this distance from walls, besides the radius");
   v.number("preferred_clearance_m", p.preferred_clearance_m, {0, 5},
-           "and rather this distance, where a longer way allows it");
+           "and rather this distance, where a longer route allows it");
   v.number("planning_cell_m", p.planning_cell_m, {0.02, 1},
            "side of the planner's cells; a whole number of the map's is taken");
   v.number("speed_m_s", p.speed_m_s, {0.05, 5}, "speed on straights");
   v.number("turn_deg_s", p.turn_deg_s, {5, 360}, "fastest turn");
   v.number("giveup", p.giveup, {1, 100},
-           "a goal is given up when the way to it was lost this often");
+           "a goal is given up when the route to it was lost this often");
   v.number("max_laps", p.max_laps, {0.1, 1000},
            "a loop is left after this many times its length, whatever the stopping rule says");
-  v.number("max_distance_m", p.max_distance_m, {1, 1e6}, "exploration ends after this much way");
+  v.number("max_distance_m", p.max_distance_m, {1, 1e6}, "exploration ends after this distance");
   v.number("max_time_s", p.max_time_s, {1, 1e7}, "or this many seconds after the first scan");
   v.flag("drive_home", p.drive_home, "drive back to the start when nothing is left to explore");
 }

@@ -1,4 +1,4 @@
-// Shortest ways for the robot's disc through what is known to be free, from where it stands to
+// Shortest routes for the robot's disc through what is known to be free, from where it stands to
 // everywhere: one search a decision.
 #pragma once
 #include <memory>
@@ -25,9 +25,9 @@ class Planner {
   bool reaches(int cell) const { return cost_[cell] >= 0; }
   /// What the search minimises; needs reaches().
   int cost(int cell) const { return cost_[cell]; }
-  /// Length of the way, m; needs reaches().
+  /// Length of the route, m; needs reaches().
   double length(int cell) const;
-  /// The way from the robot to the cell; needs reaches().
+  /// The route from the robot to the cell; needs reaches().
   Route routeTo(int cell) const;
   /// The reachable cell nearest to a point by cost, among those within `radius_m` of it and in
   /// sight of it; -1 when there is none.
@@ -42,7 +42,7 @@ class Planner {
   double preferred_m_;
   std::vector<std::uint8_t> open_;
   std::vector<int> cost_;    // -1 not reached
-  std::vector<int> before_;  // cell that the way comes from
+  std::vector<int> before_;  // cell that the route comes from
 };
 
 /// Whether the robot's disc can still follow the route: no point of it, from `first` on, lies in a

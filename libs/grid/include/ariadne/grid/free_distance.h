@@ -16,8 +16,8 @@ class FreeDistance {
   /// @param limit_m paths longer than this are not followed
   /// @param robot_radius_m cells whose centre is this near to the centre of one that is not free
   /// are not entered; but the robot may leave the disc of that radius in which it stands already
-  /// @param targets when there are any, only ways to them need be right: the search keeps to the
-  /// box of the ellipses in which ways no longer than the limit lie
+  /// @param targets when there are any, only paths to them need be right: the search keeps to the
+  /// box of the ellipses in which paths no longer than the limit lie
   FreeDistance(const OccupancyGrid& map, const mrpt::math::TPoint2D& from, double limit_m,
                double robot_radius_m, const std::vector<mrpt::math::TPoint2D>& targets = {});
 
@@ -25,12 +25,12 @@ class FreeDistance {
   /// within the limit.
   std::optional<double> to(const mrpt::math::TPoint2D& to) const;
   /// As to(), for a place where a robot has been: in its own map it may stand a little too near to
-  /// a wall, so that the way to the best cell within the robot's radius and on to it counts.
+  /// a wall, so that the path to the best cell within the robot's radius and on to it counts.
   std::optional<double> toPlace(const mrpt::math::TPoint2D& to) const;
 
  private:
   int index(Cell c) const;
-  /// Whether there is a way to the cell with this index, which may be -1.
+  /// Whether there is a path to the cell with this index, which may be -1.
   bool isReached(int i) const;
   void openCells(Cell start);
   void search(int start);

@@ -1,4 +1,4 @@
-// Straight lines through the grid: which cells they cross, and whether a wall is in the way.
+// Straight lines through the grid: which cells they cross, and whether a wall is between.
 // Amanatides and Woo, "A fast voxel traversal algorithm for ray tracing", Eurographics 1987.
 #pragma once
 #include <optional>
@@ -13,7 +13,7 @@ template <class Visit>
 void traverse(const OccupancyGrid& grid, const mrpt::math::TPoint2D& a,
               const mrpt::math::TPoint2D& b, Visit&& visit);
 
-/// First occupied cell on the way from a to b, if any.
+/// First occupied cell on the line from a to b, if any.
 std::optional<Cell> firstOccupied(const OccupancyGrid& grid, const mrpt::math::TPoint2D& a,
                                   const mrpt::math::TPoint2D& b);
 

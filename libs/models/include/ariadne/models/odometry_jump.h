@@ -10,7 +10,7 @@ namespace ariadne::models {
 
 class JumpDetector {
  public:
-  /// Whether the way to this pose from the one before is a jump:
+  /// Whether the motion to this pose from the one before is a jump:
   ///  - over 1 m (3 m where no step is known yet), over 5 times the usual step and faster than 5
   ///  m/s,
   ///  - where it ends at (0, 0, 0), which is where a reset ends: over 0.5 m and 5 times the usual

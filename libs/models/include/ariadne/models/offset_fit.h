@@ -1,5 +1,5 @@
-// How far odometry is off in one direction, from scan matches: a constant share of the way (bias)
-// and a scatter, by maximum likelihood over the last steps.
+// How far odometry is off in one direction, from scan matches: a constant share of the distance
+// (bias) and a scatter, by maximum likelihood over the last steps.
 #pragma once
 #include <cstddef>
 #include <vector>

@@ -38,7 +38,7 @@ class ScanOdometry {
   grid::OccupancyGrid map_;   // matched against
   grid::OccupancyGrid next_;  // takes its place after some metres
   mrpt::math::TPose2D inserted_;
-  double next_m_ = 0;  // way since it was begun
+  double next_m_ = 0;  // distance since it was begun
 };
 
 }  // namespace ariadne::models

@@ -10,8 +10,8 @@ struct SensorStep {
   mrpt::math::TPose2D odom_from_robot;  ///< cumulative odometry, m and rad
   /// The scan; null where a dataset has odometry only. sensorPose is robot_from_laser.
   mrpt::obs::CObservation2DRangeScan::Ptr scan;
-  /// The way from the step before is none that a robot makes: odometry was reset, or the robot was
-  /// carried. What follows goes on from here.
+  /// The motion from the step before is none that a robot makes: odometry was reset, or the robot
+  /// was carried. What follows goes on from here.
   bool odometry_jumped = false;
 };
 

@@ -9,7 +9,7 @@
 
 namespace ariadne::process {
 
-struct Called {
+struct CallResult {
   bool missing = false;  ///< not in PATH
   bool ok = false;       ///< exit code 0
   std::string out;
@@ -17,7 +17,7 @@ struct Called {
 };
 
 /// Waits for it, at most `limit_s` seconds: a controller that is down lets its clients hang.
-Called call(std::vector<std::string> argv, double limit_s = 60);
+CallResult call(std::vector<std::string> argv, double limit_s = 60);
 
 /// With this process's terminal, and no limit; returns when it has ended in any way. Ctrl-C reaches
 /// it and not us. Throws core::Error when it cannot be started.

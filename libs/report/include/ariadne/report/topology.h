@@ -17,7 +17,7 @@ struct DrawnEntry {
 
 struct DrawnGraph {
   std::vector<mrpt::math::TPoint2D> places;                    ///< m, map frame
-  std::vector<std::pair<std::size_t, std::size_t>> ways;       ///< in the order they were driven
+  std::vector<std::pair<std::size_t, std::size_t>> edges;      ///< in the order they were driven
   std::vector<std::pair<std::size_t, std::size_t>> shortcuts;  ///< those that closed a cycle
   std::vector<DrawnEntry> entries;
 };

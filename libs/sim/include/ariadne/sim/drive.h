@@ -40,7 +40,7 @@ using DriveProgress = std::function<void(double fraction)>;
 
 /// Drives through all waypoints; one counts as passed within 0.3 m.
 /// Throws core::Error naming world, time, pose and the last waypoint (file and line) when the robot
-/// touches rock or needs much longer to the next waypoint than the way there takes, UsageError when
+/// touches rock or needs much longer to the next waypoint than driving there takes, UsageError when
 /// a parameter is out of bounds.
 TruthDrive driveThrough(const World& world, const DrivePath& path, const DriveParams& params,
                         const DriveProgress& progress = {});

@@ -15,9 +15,9 @@ struct DriveParams {
   double max_range_m = 20;
 };
 
-/// Noise of odometry and ranges. Variances, not deviations, grow with the way, so that it makes no
-/// difference how many increments a way is cut into: after L metres the standard deviation of the
-/// distance is travel_per_m sqrt(L).
+/// Noise of odometry and ranges. Variances, not deviations, grow with the distance, so that it
+/// makes no difference how many increments a drive is cut into: after L metres the standard
+/// deviation of the distance is travel_per_m sqrt(L).
 struct NoiseParams {
   double turn_per_turn = 0.05;
   double turn_per_m_deg = 0.5;

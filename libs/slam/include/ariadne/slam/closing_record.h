@@ -16,8 +16,9 @@ struct SavingRecord {
   std::size_t entries = 0;
   std::size_t distinct_ancestors = 0;  ///< of the entries, at te
   std::size_t existed = 0;             ///< distinct hypotheses that there were at te
-  geometry::WeightedPoses at_te;       ///< the particles as they were at te, with weights of then
-  geometry::WeightedPoses saved;       ///< Eq. (11) and (12)
+  geometry::WeightedPoses
+      at_te;  ///< the particles as they were at te, with the weights of that update
+  geometry::WeightedPoses saved;  ///< Eq. (11) and (12)
   double memory_mb = 0;
 };
 

@@ -67,7 +67,7 @@ class LoopCloser {
     geometry::WeightedPoses particles;
     std::size_t distinct = 0;
   };
-  struct Extra {
+  struct Outcome {
     std::optional<SavingRecord> saving;
     std::optional<RecoveryRecord> recovery;
     std::string note;
@@ -83,7 +83,7 @@ class LoopCloser {
   std::vector<topology::PlaceGraph> graphs_;
   std::vector<PastSet> past_;        // by update
   std::vector<double> travelled_m_;  // by update
-  std::vector<Extra> extras_;        // by closing
+  std::vector<Outcome> outcomes_;    // by closing
   std::optional<UniqueAncestors> unique_;
 };
 

@@ -36,7 +36,7 @@ void visitFields(V& v, OpportunityParams& p) {
   v.number("c2_m", p.c2_m, {0.1, 100000},
            "Eq. (7): and farther than this by the graph; more than c1_m");
   v.number("robot_radius_m", p.robot_radius_m, {0, 10},
-           "ways through the map keep this far from walls and from the unknown");
+           "paths through the map keep this far from walls and from the unknown");
 }
 
 /// Throws core::UsageError naming the key, also when c1 >= c2.

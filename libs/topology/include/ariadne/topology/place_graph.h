@@ -1,4 +1,4 @@
-// The topological map G of one particle (section IV): places it visited, joined by the ways it
+// The topological map G of one particle (section IV): places it visited, joined by the edges it
 // took. Copying a graph shares its history.
 #pragma once
 #include <mrpt/math/TPoint2D.h>
@@ -18,7 +18,7 @@ struct Place {
   std::uint32_t step = 0;         ///< filter update at which it was made
 };
 
-/// A way between two places that the robot took.
+/// The robot drove from one place to the other.
 struct Edge {
   std::uint32_t a = 0;
   std::uint32_t b = 0;
@@ -30,7 +30,7 @@ struct Edge {
 struct Visit {
   std::uint32_t place = 0;        ///< last place visited
   bool inside = false;            ///< within its visit radius and in sight of it
-  float stub_m = 0;               ///< way from that place
+  float stub_m = 0;               ///< driven since that place
   mrpt::math::TPoint2D position;  ///< of the robot, m, map frame of the particle
 };
 
@@ -56,13 +56,13 @@ class PlaceGraph {
   /// @param positions one an update that `other` has more, m
   void attach(const PlaceGraph& other, const std::vector<mrpt::math::TPoint2D>& positions);
 
-  /// dist_G: shortest way in G from the robot to every place, m; infinity where there is none.
+  /// dist_G: shortest path in G from the robot to every place, m; infinity where there is none.
   std::vector<double> distances() const;
   /// Last update at which the robot was at the place: te of an entry point.
   std::size_t lastVisit(std::uint32_t place) const;
 
  private:
-  void arriveAt(std::uint32_t place, double way_m);
+  void arriveAt(std::uint32_t place, double length_m);
   void make(const mrpt::math::TPoint2D& position);
   bool observesAny(const mrpt::math::TPoint2D& position, const grid::OccupancyGrid& map,
                    double range_m) const;

@@ -1,4 +1,4 @@
-// Whether a run came out right.
+// Whether an arm of a run came out right.
 #pragma once
 #include "ariadne/experiment/loop_run.h"
 #include "ariadne/geometry/trajectory.h"
@@ -7,7 +7,7 @@
 namespace ariadne::experiment {
 
 /// @param truth world_from_robot at every step that the mapper processed
-ArmResult judge(const slam::Mapper& mapper, const geometry::Trajectory& truth,
-                const eval::CorrectBounds& bounds);
+ArmResult armResultOf(const slam::Mapper& mapper, const geometry::Trajectory& truth,
+                      const eval::CorrectBounds& bounds);
 
 }  // namespace ariadne::experiment

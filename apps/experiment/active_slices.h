@@ -14,7 +14,7 @@ namespace ariadne::experiment_app {
 cluster::Queue askAbout(const std::vector<cluster::Submission>& submissions);
 
 /// The slices that those tasks do of the plan that is in the folder now.
-std::vector<cluster::Slice> livingSlices(const std::vector<cluster::Submission>& submissions,
+std::vector<cluster::Slice> activeSlices(const std::vector<cluster::Submission>& submissions,
                                          const cluster::Queue& queue, const batch::Store& store);
 
 /// Hash of the folder's plan.json.

@@ -8,7 +8,7 @@ namespace ariadne::slam_app {
 
 /// Fills the checks of a result, all else of it but truth and replay being there, and adds what
 /// they warn of to its warnings.
-void judge(RunResult& result);
+void checkRun(RunResult& result);
 
 /// Why there was no filter update at all.
 core::Error nothingMapped(const SlamConfig& config, const MappingRecord& record,

@@ -1,4 +1,4 @@
-#include "judgement.h"
+#include "run_checks.h"
 
 #include <fmt/format.h>
 
@@ -27,7 +27,7 @@ std::vector<std::string> doubtWarnings(const RunResult& r) {
 
 }  // namespace
 
-void judge(RunResult& result) {
+void checkRun(RunResult& result) {
   checks::MapFigures map;
   map.updates = result.record.reports.size();
   map.path_m = geometry::lengthOf(result.path);

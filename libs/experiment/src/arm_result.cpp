@@ -1,4 +1,4 @@
-#include "judge.h"
+#include "arm_result.h"
 
 #include <algorithm>
 #include <limits>
@@ -16,8 +16,8 @@ double ateOf(const geometry::Trajectory& path, const geometry::Trajectory& truth
 
 }  // namespace
 
-ArmResult judge(const slam::Mapper& mapper, const geometry::Trajectory& truth,
-                const eval::CorrectBounds& bounds) {
+ArmResult armResultOf(const slam::Mapper& mapper, const geometry::Trajectory& truth,
+                      const eval::CorrectBounds& bounds) {
   ArmResult arm;
   const std::vector<double> weights = mapper.particles().weights();
   const std::size_t best = mapper.particles().best();

@@ -1,4 +1,4 @@
-#include "living.h"
+#include "active_slices.h"
 
 #include "ariadne/batch/content_hash.h"
 
@@ -15,16 +15,16 @@ cluster::Queue askAbout(const std::vector<cluster::Submission>& submissions) {
   return names.empty() ? cluster::Queue() : cluster::askSqueue(names);
 }
 
-std::vector<cluster::Slice> livingSlices(const std::vector<cluster::Submission>& submissions,
+std::vector<cluster::Slice> activeSlices(const std::vector<cluster::Submission>& submissions,
                                          const cluster::Queue& queue, const batch::Store& store) {
-  std::vector<cluster::Slice> living;
+  std::vector<cluster::Slice> active;
   const std::string plan = planHash(store);
   for (const cluster::Task& task : queue.tasks)
     for (const auto& s : submissions)
       // A task reads the plan when it starts; one that runs has the slice of the plan it read.
       if (s.name == task.name && (s.plan == plan || task.state == "PENDING"))
-        living.push_back({task.slice, s.slices, task.state == "PENDING"});
-  return living;
+        active.push_back({task.slice, s.slices, task.state == "PENDING"});
+  return active;
 }
 
 }  // namespace ariadne::experiment_app

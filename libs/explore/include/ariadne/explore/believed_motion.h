@@ -10,10 +10,10 @@
 
 namespace ariadne::explore {
 
-class BelievedWay {
+class BelievedMotion {
  public:
-  /// @param most_m that the robot can go between two scans: a jump of the belief is no way
-  explicit BelievedWay(double most_m) : most_m_(most_m) {}
+  /// @param most_m that the robot can go between two scans: a jump of the belief is no motion
+  explicit BelievedMotion(double most_m) : most_m_(most_m) {}
 
   void add(const mrpt::math::TPose2D& map_from_robot) {
     if (before_) {
