@@ -30,7 +30,7 @@ void addRecovery(report::CurveChart& chart, const slam::ClosingRecord& c) {
   const std::size_t colour = chart.curves.size() / 2 + 1;
   const auto add = [&](const char* when, const std::vector<filter::AncestorPtr>& leaves) {
     chart.curves.push_back(
-        coalescence(fmt::format("{} recovery {}", when, c.closing.name), leaves, r.update + 1));
+        coalescence(fmt::format("{} recovery {}", when, c.closing.id), leaves, r.update + 1));
     chart.curves.back().colour = colour;
   };
   add("before", r.before);
@@ -38,7 +38,7 @@ void addRecovery(report::CurveChart& chart, const slam::ClosingRecord& c) {
   add("after", r.after);
   const auto mark = [&](const char* what, std::size_t update) {
     chart.moments.push_back(
-        {fmt::format("{} {}", what, c.closing.name), static_cast<double>(update)});
+        {fmt::format("{} {}", what, c.closing.id), static_cast<double>(update)});
   };
   mark("te", c.closing.opportunity.te);
   mark("recovery", r.update);
@@ -59,7 +59,7 @@ void writeTopologyPicture(const std::filesystem::path& file, const slam::Mapper&
   for (const slam::ClosingRecord& c : mapper.closings())
     if (c.closing.entered)
       drawn.entries.push_back(
-          {g.places()[g.visits()[c.closing.opportunity.te].place].position, c.closing.name});
+          {g.places()[g.visits()[c.closing.opportunity.te].place].position, c.closing.id});
   report::writeTopology(file, map, drawn);
 }
 

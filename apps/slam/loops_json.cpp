@@ -108,19 +108,19 @@ Json closingOf(const slam::ClosingRecord& record, const std::vector<slam::StepRe
                const topology::OpportunityParams& bounds) {
   const closing::Closing& c = record.closing;
   Json detection = moment(c.detected, reports);
-  detection["opportunities"] = c.opportunity.places;
+  detection["opportunities"] = c.opportunity.places.size();
   detection["dist_m_m"] = c.opportunity.dist_m_m;
   detection["dist_g_m"] = c.opportunity.dist_g_m;
   detection["loop_length_m"] = c.course.loop_length_m;
   Json end = momentOrNull(c.ended, reports);
   if (c.ended) end["reason"] = c.end_reason;
-  return {{"closing", c.name},
+  return {{"closing", c.id},
           {"detection", detection},
           {"te", moment(c.opportunity.te, reports)},
           {"entry",
            {{"x_m", c.entry_position.x},
             {"y_m", c.entry_position.y},
-            {"why", whyThere(c.opportunity.places, bounds)}}},
+            {"why", whyThere(c.opportunity.places.size(), bounds)}}},
           {"entered", momentOrNull(c.entered, reports)},
           {"end", end},
           {"saved", record.saving ? savingOf(*record.saving) : Json()},
@@ -153,7 +153,7 @@ std::string loopsJson(const std::vector<slam::ClosingRecord>& closings,
 std::vector<std::string> loopWarnings(const std::vector<slam::ClosingRecord>& closings) {
   std::vector<std::string> warnings;
   for (const slam::ClosingRecord& c : closings)
-    if (c.dropped) warnings.push_back(fmt::format("closing {}: {}", c.closing.name, c.note));
+    if (c.dropped) warnings.push_back(fmt::format("closing {}: {}", c.closing.id, c.note));
   return warnings;
 }
 

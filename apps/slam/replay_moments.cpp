@@ -19,8 +19,7 @@ std::string sentence(std::string text) {
 ReplayMoment detectionOf(const slam::ClosingRecord& record) {
   const closing::Closing& c = record.closing;
   const topology::LoopOpportunity& o = c.opportunity;
-  ReplayMoment m{
-      c.detected, MomentKind::detection, fmt::format("Loop {} detected", c.name), {}, {}};
+  ReplayMoment m{c.detected, MomentKind::detection, fmt::format("Loop {} detected", c.id), {}, {}};
   m.text = fmt::format("Its entry is {:.1f} m away by the map and {:.1f} m by the graph.",
                        o.dist_m_m, o.dist_g_m);
   m.table = {{"what", "value"},
@@ -42,7 +41,7 @@ ReplayMoment detectionOf(const slam::ClosingRecord& record) {
 ReplayMoment endOf(const slam::ClosingRecord& record) {
   const closing::Closing& c = record.closing;
   ReplayMoment m{*c.ended, MomentKind::end, {}, sentence(c.end_reason), {}};
-  m.title = fmt::format(c.entered ? "Loop {}: closing ended" : "Loop {} given up", c.name);
+  m.title = fmt::format(c.entered ? "Loop {}: closing ended" : "Loop {} given up", c.id);
   if (!record.note.empty()) m.text += fmt::format(" No recovery: {}.", record.note);
   const auto rule = [&](const char* name, const std::optional<double>& after_m) {
     if (after_m) m.table.push_back({name, fmt::format("{:.1f} m after the entry", *after_m)});
@@ -57,7 +56,7 @@ ReplayMoment recoveryOf(const slam::ClosingRecord& record) {
   const slam::RecoveryRecord& r = *record.recovery;
   ReplayMoment m{r.update,
                  MomentKind::recovery,
-                 fmt::format("Loop {}: diversity recovered", record.closing.name),
+                 fmt::format("Loop {}: diversity recovered", record.closing.id),
                  {},
                  {}};
   m.text = fmt::format("Distinct ancestors at te: {} before, {} after.", r.distinct_before,
@@ -78,7 +77,7 @@ std::vector<ReplayMoment> momentsOf(const std::vector<slam::ClosingRecord>& clos
     if (c.entered)
       moments.push_back({*c.entered,
                          MomentKind::entry,
-                         fmt::format("Loop {}: entry reached", c.name),
+                         fmt::format("Loop {}: entry reached", c.id),
                          "From here on the robot is where it has been.",
                          {}});
     if (c.ended) moments.push_back(endOf(record));

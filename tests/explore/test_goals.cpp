@@ -59,7 +59,7 @@ struct RoomOfGoals {
 /// Its entry is where the robot was at update 1.
 closing::Closing loop() {
   closing::Closing c;
-  c.name = 4;
+  c.id = 4;
   c.opportunity.te = 1;
   c.entry_position = {1.5, 1.5};
   return c;

@@ -21,7 +21,7 @@ grid::OccupancyGrid room(int door) {
 
 closing::Closing loopAt(std::size_t name, double x, double y) {
   closing::Closing loop;
-  loop.name = name;
+  loop.id = name;
   loop.entry_position = {x, y};
   return loop;
 }

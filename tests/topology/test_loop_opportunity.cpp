@@ -39,7 +39,21 @@ TEST(LoopOpportunity, OpensWithinC1OfTheEntry) {
   EXPECT_NEAR(found->dist_m_m, 8, 0.35) << "to within the robot's radius";
   EXPECT_NEAR(found->dist_g_m, 40, 1);
   EXPECT_EQ(found->te, 3U) << "last of the updates within the visit radius of the start";
-  EXPECT_GE(found->places, 1U);
+}
+
+TEST(LoopOpportunity, PlacesOfInterestAreNearByTheMapAndFarByTheGraph) {
+  const OpportunityParams params;
+  const auto found = Robot(40.1).look(params);
+  ASSERT_TRUE(found);
+  ASSERT_FALSE(found->places.empty());
+  double nearest = params.c1_m;
+  for (const topology::PlaceOfInterest& p : found->places) {
+    EXPECT_LT(p.dist_m, params.c1_m);
+    EXPECT_GT(p.dist_g, params.c2_m);
+    nearest = std::min(nearest, p.dist_m);
+    if (p.place == found->entry) EXPECT_EQ(p.dist_m, found->dist_m_m);
+  }
+  EXPECT_EQ(nearest, found->dist_m_m) << "the entry is the nearest of them";
 }
 
 TEST(LoopOpportunity, IsGoneOnceTheGraphKnowsTheWay) {

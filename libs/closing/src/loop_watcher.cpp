@@ -28,7 +28,7 @@ const Closing* LoopWatcher::open() const {
 
 std::vector<const Closing*> LoopWatcher::allOpen() const {
   std::vector<const Closing*> all;
-  for (const std::size_t name : open_) all.push_back(&closings_[name]);
+  for (const std::size_t id : open_) all.push_back(&closings_[id]);
   return all;
 }
 
@@ -47,7 +47,7 @@ LoopEvents LoopWatcher::observe(const WatchedStep& step) {
   return events;
 }
 
-/// Hysteresis: within one closed loop no way is a loop again.
+/// Hysteresis: within one closed loop no path is a loop again.
 bool LoopWatcher::counts(const topology::Place& place, const WatchedStep& step) const {
   const std::size_t here = step.graph.places()[step.graph.visits().back().place].step;
   return std::none_of(closed_.begin(), closed_.end(), [&](const Interval& loop) {
@@ -65,14 +65,14 @@ void LoopWatcher::detect(const WatchedStep& step, LoopEvents& events) {
                                 [&](const topology::Place& place) { return counts(place, step); });
   if (!opportunity_ || state() == LoopState::approaching) return;
   Closing closing;
-  closing.name = closings_.size();
+  closing.id = closings_.size();
   closing.opportunity = *opportunity_;
   closing.entry_position = step.graph.places()[opportunity_->entry].position;
   closing.detected = travelled_m_.size() - 1;
   closing.course.loop_length_m = step.figures.travelled_m - travelled_m_[opportunity_->te];
   closing.course.uncertainty_at_te_m = uncertainty_m_[opportunity_->te];
-  open_.push_back(closing.name);
-  events.detected = closing.name;
+  open_.push_back(closing.id);
+  events.detected = closing.id;
   closings_.push_back(std::move(closing));
 }
 
@@ -96,16 +96,16 @@ void LoopWatcher::approach(const WatchedStep& step, LoopEvents& events) {
   if (atEntry(closing, step.graph)) {
     closing.entered = update;
     closing.last_known_m = step.figures.travelled_m;
-    events.entered = closing.name;
+    events.entered = closing.id;
   } else if (step.figures.travelled_m - travelled_m_[closing.detected] > params_.approach_limit_m) {
-    events.given_up.push_back(closing.name);
-    end(closing.name, "the robot did not come to the entry", update);
+    events.given_up.push_back(closing.id);
+    end(closing.id, "the robot did not come to the entry", update);
   }
 }
 
 std::string LoopWatcher::reasonToEnd(Closing& closing, const WatchedStep& step) const {
   const topology::Visit& here = step.graph.visits().back();
-  // Places made on the last metres of the way to the entry belong to the loop.
+  // Places made on the last metres before the entry belong to the loop.
   if (here.inside && step.graph.places()[here.place].step <= *closing.entered)
     closing.last_known_m = step.figures.travelled_m;
   closing.course.steps.push_back(step.figures);
@@ -140,22 +140,22 @@ std::string LoopWatcher::reasonToEnd(Closing& closing, const WatchedStep& step) 
 
 /// Every closing in which the robot is; when an outer one ends, those within it end with it.
 void LoopWatcher::follow(const WatchedStep& step, LoopEvents& events) {
-  const std::vector<std::size_t> names = open_;
-  for (const std::size_t name : names) {
-    if (!closings_[name].entered || events.ended) continue;
-    const std::string reason = reasonToEnd(closings_[name], step);
+  const std::vector<std::size_t> ids = open_;
+  for (const std::size_t id : ids) {
+    if (!closings_[id].entered || events.ended) continue;
+    const std::string reason = reasonToEnd(closings_[id], step);
     if (reason.empty()) continue;
-    end(name, reason, travelled_m_.size() - 1);
-    events.ended = name;
+    end(id, reason, travelled_m_.size() - 1);
+    events.ended = id;
   }
 }
 
-void LoopWatcher::end(std::size_t name, const std::string& reason, std::size_t update) {
-  const auto first = std::find(open_.begin(), open_.end(), name);
+void LoopWatcher::end(std::size_t id, const std::string& reason, std::size_t update) {
+  const auto first = std::find(open_.begin(), open_.end(), id);
   for (auto it = first; it != open_.end(); ++it) {
     Closing& closing = closings_[*it];
     closing.ended = update;
-    closing.end_reason = *it == name ? reason : "the loop around it ended";
+    closing.end_reason = *it == id ? reason : "the loop around it ended";
     if (closing.entered) closed_.push_back({closing.opportunity.te, update});
   }
   open_.erase(first, open_.end());

@@ -18,10 +18,10 @@ constexpr double kChanged_m2 = 0.5;
 
 void LeftLoops::add(const closing::Closing& loop, const grid::OccupancyGrid& map) {
   if (loop.entered)
-    entered_.push_back(loop.name);
+    entered_.push_back(loop.id);
   else
     entries_.push_back(
-        {loop.name, loop.entry_position, freeArea(map, loop.entry_position, kAbout_m)});
+        {loop.id, loop.entry_position, freeArea(map, loop.entry_position, kAbout_m)});
 }
 
 void LeftLoops::forgetWhereChanged(const grid::OccupancyGrid& map) {
@@ -32,9 +32,9 @@ void LeftLoops::forgetWhereChanged(const grid::OccupancyGrid& map) {
 }
 
 bool LeftLoops::contains(const closing::Closing& loop) const {
-  return std::find(entered_.begin(), entered_.end(), loop.name) != entered_.end() ||
+  return std::find(entered_.begin(), entered_.end(), loop.id) != entered_.end() ||
          std::any_of(entries_.begin(), entries_.end(), [&](const Entry& e) {
-           return e.closing == loop.name ||
+           return e.closing == loop.id ||
                   (!loop.entered && geometry::distance(e.at, loop.entry_position) < kAbout_m);
          });
 }

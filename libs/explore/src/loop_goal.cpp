@@ -13,8 +13,8 @@ using closing::Closing;
 using mrpt::math::TPoint2D;
 
 LoopNumbers numbersOf(const Closing& loop) {
-  return {loop.name, loop.opportunity.places, loop.opportunity.dist_m_m, loop.opportunity.dist_g_m,
-          loop.opportunity.te};
+  return {loop.id, loop.opportunity.places.size(), loop.opportunity.dist_m_m,
+          loop.opportunity.dist_g_m, loop.opportunity.te};
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ Answer LoopGoal::toEntry(const Question& q, const Closing& loop, Logbook& log) {
   const bool on_its_way = q.heading.purpose == Purpose::entry;
   if (on_its_way && q.arrived)
     return leave(q.belief, loop, "at the entry's place the robot does not recognise it", log);
-  aimed_at_ = loop.name;
+  aimed_at_ = loop.id;
   if (!on_its_way) {
     Decision& d = log.note(q.belief, DecisionKind::approach,
                            fmt::format("a loop can be closed: {:.1f} m by the map, {:.1f} m by the "
@@ -59,10 +59,10 @@ Answer LoopGoal::toEntry(const Question& q, const Closing& loop, Logbook& log) {
 
 Answer LoopGoal::through(const Question& q, const Closing& loop, Logbook& log) {
   constexpr double kAbout_m = 1;
-  aimed_at_ = loop.name;
-  if (!route_ || followed_ != loop.name) {
+  aimed_at_ = loop.id;
+  if (!route_ || followed_ != loop.id) {
     route_.emplace(loop.opportunity.te, *loop.entered);
-    followed_ = loop.name;
+    followed_ = loop.id;
     log.note(q.belief, DecisionKind::follow,
              "at the entry of the loop: follows the path taken from there")
         .loop = numbersOf(loop);
@@ -91,7 +91,7 @@ Answer LoopGoal::leave(const Belief& belief, const Closing& loop, const std::str
 
 bool LoopGoal::giveUp(const Belief& belief, const std::string& why, Logbook& log) {
   for (const Closing* loop : belief.open)
-    if (loop->name == aimed_at_) {
+    if (loop->id == aimed_at_) {
       leave(belief, *loop, why, log);
       return true;
     }

@@ -85,14 +85,14 @@ std::optional<std::size_t> LoopCloser::update(const filter::ParticleSet& particl
   const auto events = watcher_.observe({graphs_[report.best], particles[report.best].map, figures});
   report.loop_state = watcher_.state();
   if (const auto& opportunity = watcher_.opportunity()) {
-    report.opportunities = opportunity->places;
+    report.opportunities = opportunity->places.size();
     report.dist_m = opportunity->dist_m_m;
     report.dist_g = opportunity->dist_g_m;
   }
   report.unique_ancestors = uniqueAncestors(particles, report.step);
 
   if (events.detected) save(*events.detected, particles);
-  for (const std::size_t name : events.given_up) stack_.drop(name);
+  for (const std::size_t id : events.given_up) stack_.drop(id);
   if (events.entered) {
     const std::size_t te = watcher_.closings()[*events.entered].opportunity.te;
     for (auto& graph : graphs_) graph.close(graph.visits()[te].place);
@@ -118,9 +118,9 @@ std::size_t LoopCloser::uniqueAncestors(const filter::ParticleSet& particles, st
   return unique_->count;
 }
 
-void LoopCloser::save(std::size_t name, const filter::ParticleSet& particles) {
+void LoopCloser::save(std::size_t id, const filter::ParticleSet& particles) {
   outcomes_.resize(watcher_.closings().size());
-  const std::size_t te = watcher_.closings()[name].opportunity.te;
+  const std::size_t te = watcher_.closings()[id].opportunity.te;
   recovery::SavedSet set = recovery::save(particles, graphs_, te);
   SavingRecord record;
   record.entries = set.entries.size();
@@ -129,8 +129,8 @@ void LoopCloser::save(std::size_t name, const filter::ParticleSet& particles) {
   record.at_te = past_[te].particles;
   record.saved = posesOf(set);
   record.memory_mb = static_cast<double>(set.mapBytes()) / 1e6;
-  outcomes_[name].saving = std::move(record);
-  for (const std::size_t dropped : stack_.push(name, std::move(set))) {
+  outcomes_[id].saving = std::move(record);
+  for (const std::size_t dropped : stack_.push(id, std::move(set))) {
     outcomes_[dropped].dropped = true;
     outcomes_[dropped].note = fmt::format(
         "the saved set was dropped, so nothing was recovered: saved sets took more than "
@@ -139,9 +139,9 @@ void LoopCloser::save(std::size_t name, const filter::ParticleSet& particles) {
   }
 }
 
-void LoopCloser::recover(std::size_t name, filter::ParticleSet& particles, const Scans& scans) {
-  auto saved = stack_.pop(name);
-  Outcome& outcome = outcomes_[name];
+void LoopCloser::recover(std::size_t id, filter::ParticleSet& particles, const Scans& scans) {
+  auto saved = stack_.pop(id);
+  Outcome& outcome = outcomes_[id];
   if (!saved) return;
   if (!params_.recovery.enabled) {
     outcome.note = "recovery is off";
@@ -178,8 +178,8 @@ void LoopCloser::search(filter::ParticleSet& particles, const Scans& scans) {
   // What was saved after the beginning belongs to ways that are replaced.
   outcomes_.resize(watcher_.closings().size());
   for (const closing::Closing& c : watcher_.closings())
-    if (c.opportunity.te > closure->begin && stack_.holds(c.name))
-      outcomes_[c.name].note =
+    if (c.opportunity.te > closure->begin && stack_.holds(c.id))
+      outcomes_[c.id].note =
           "nothing was recovered: the ways were drawn anew, given a closure found from afar";
   stack_.dropAfter(closure->begin);
   const recovery::SavedSet present = recovery::save(particles, graphs_, closure->begin);
@@ -206,7 +206,7 @@ void LoopCloser::search(filter::ParticleSet& particles, const Scans& scans) {
 std::vector<ClosingRecord> LoopCloser::records() const {
   std::vector<ClosingRecord> records;
   for (const closing::Closing& c : watcher_.closings()) {
-    const Outcome& outcome = outcomes_[c.name];
+    const Outcome& outcome = outcomes_[c.id];
     records.push_back({c, outcome.saving, outcome.recovery, outcome.note, outcome.dropped});
     std::string& note = records.back().note;
     if (!note.empty() || outcome.recovery) continue;

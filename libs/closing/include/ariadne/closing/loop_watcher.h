@@ -22,16 +22,17 @@ struct WatchedStep {
 
 /// A closing from its detection on.
 struct Closing {
-  std::size_t name = 0;  ///< counts from 0
+  std::size_t id = 0;  ///< counts from 0
   topology::LoopOpportunity opportunity;
   mrpt::math::TPoint2D entry_position;  ///< m, map of s* at detection
   std::size_t detected = 0;             ///< filter update
   std::optional<std::size_t> entered;   ///< filter update at which the entry was reached
   std::optional<std::size_t> ended;     ///< filter update of the end
   std::string end_reason;               ///< empty while open
-  std::optional<double> neff_rule_m;   ///< way after the entry at which the paper's rule would stop
+  std::optional<double>
+      neff_rule_m;  ///< distance after the entry at which the paper's rule would stop
   std::optional<double> slope_rule_m;  ///< the same of the fallback
-  double last_known_m = 0;             ///< travelled, when a place of the loop or before it was last visited
+  double last_known_m = 0;  ///< travelled, when a place of the loop or before it was last visited
   ClosingCourse course;
 };
 
@@ -66,12 +67,12 @@ class LoopWatcher {
   void follow(const WatchedStep& step, LoopEvents& events);
   bool atEntry(const Closing& closing, const topology::PlaceGraph& graph) const;
   std::string reasonToEnd(Closing& closing, const WatchedStep& step) const;
-  void end(std::size_t name, const std::string& reason, std::size_t update);
+  void end(std::size_t id, const std::string& reason, std::size_t update);
 
   ClosingParams params_;
   StopRule rule_;
   std::vector<Closing> closings_;
-  std::vector<std::size_t> open_;    // names, oldest first; only the last may be approaching
+  std::vector<std::size_t> open_;    // ids, oldest first; only the last may be approaching
   std::vector<double> travelled_m_;  // by filter update
   std::vector<double> uncertainty_m_;
   struct Interval {

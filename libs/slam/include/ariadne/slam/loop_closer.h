@@ -55,7 +55,7 @@ class LoopCloser {
  private:
   void extendGraphs(const filter::ParticleSet& particles);
   closing::ClosingStep figuresOf(const filter::ParticleSet& particles, const StepReport& report);
-  void save(std::size_t name, const filter::ParticleSet& particles);
+  void save(std::size_t id, const filter::ParticleSet& particles);
   std::size_t lookBack(std::size_t step) const;
   std::size_t uniqueAncestors(const filter::ParticleSet& particles, std::size_t step);
 
