@@ -4,12 +4,11 @@
 #include <cmath>
 #include <set>
 
-#include "ariadne/core/error.h"
 #include "ariadne/core/random.h"
 #include "ariadne/eval/ancestry_measures.h"
-#include "ariadne/eval/entropy.h"
 #include "ariadne/eval/kl_divergence.h"
-#include "ariadne/eval/neff.h"
+#include "ariadne/eval/map_entropy.h"
+#include "ariadne/eval/pose_entropy.h"
 
 using namespace ariadne;
 using filter::Ancestor;
@@ -28,8 +27,7 @@ WeightedPoses cloud(std::size_t n, double x, double sigma, std::uint64_t seed) {
 }
 
 /// A random family tree: `n` lines of `steps` nodes, resampled at every step.
-std::vector<AncestorPtr> family(std::size_t n, std::size_t steps, std::uint64_t seed,
-                                std::vector<std::vector<AncestorPtr>>* levels = nullptr) {
+std::vector<AncestorPtr> family(std::size_t n, std::size_t steps, std::uint64_t seed) {
   core::RandomStream rng(seed, 0, 0, core::Purpose::test);
   std::vector<AncestorPtr> leaves(n);
   for (std::size_t k = 0; k < steps; ++k) {
@@ -40,19 +38,11 @@ std::vector<AncestorPtr> family(std::size_t n, std::size_t steps, std::uint64_t 
           parent, k, mrpt::math::TPose2D(rng.gaussian(), rng.gaussian(), 0), 0.0));
     }
     leaves = next;
-    if (levels) levels->push_back(leaves);
   }
   return leaves;
 }
 
 }  // namespace
-
-TEST(Neff, OfEqualAndOfOneWeight) {
-  EXPECT_NEAR(eval::neff(std::vector<double>(7, 1 / 7.0)), 7, 1e-12);
-  EXPECT_NEAR(eval::neff({0, 1, 0}), 1, 1e-12);
-  EXPECT_NEAR(eval::neff({0.5, 0.25, 0.25}), 1 / 0.375, 1e-12);
-  EXPECT_THROW(eval::neff({0.5, 0.4}), core::Error);
-}
 
 TEST(Coalescence, IsThatOfBruteForce) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
@@ -67,18 +57,6 @@ TEST(Coalescence, IsThatOfBruteForce) {
     }
     EXPECT_EQ(fast.back(), 12U);
   }
-}
-
-TEST(Survivors, AreThoseWithADescendant) {
-  std::vector<std::vector<AncestorPtr>> levels;
-  const auto leaves = family(20, 12, 3, &levels);
-  for (const std::size_t te : {0U, 5U, 10U, 11U}) {
-    std::set<const Ancestor*> alive;
-    for (const auto& leaf : leaves) alive.insert(filter::ancestorAt(leaf, te).get());
-    EXPECT_NEAR(eval::survivors(levels[te], leaves, te), static_cast<double>(alive.size()) / 20,
-                1e-12);
-  }
-  EXPECT_EQ(eval::survivors(levels[11], leaves, 11), 1);
 }
 
 TEST(Divergence, OfASetFromItselfIsNothing) {
@@ -150,23 +128,9 @@ TEST(Entropy, OfCellsIsTheClosedForm) {
   grid::OccupancyGrid map;
   map.set({3, 4}, 16);
   map.set({-40, 4}, 16);
-  EXPECT_NEAR(eval::mapEntropy(map), 2 * eval::cellEntropy(16), 1e-12);
-  eval::CountedCells box;
-  box.box = grid::CellBox{0, 0, 10, 10};
-  EXPECT_NEAR(eval::mapEntropy(map, box), eval::cellEntropy(16) + 99 * std::log(2), 1e-9);
-}
-
-TEST(Entropy, OfTheFilterIsPathPlusWeightedMaps) {
-  const auto leaves = family(2, 3, 1);
-  std::vector<filter::Particle> particles(2);
-  for (std::size_t i = 0; i < 2; ++i) {
-    particles[i].ancestor = leaves[i];
-    particles[i].map_from_robot = leaves[i]->pose();
-    for (int k = 0; k <= static_cast<int>(i); ++k) particles[i].map.set({k, 0}, 20);
-  }
-  const auto e = eval::entropyOf({&particles[0], &particles[1]}, {0.25, 0.75});
-  EXPECT_NEAR(e.map, (0.25 + 2 * 0.75) * eval::cellEntropy(20), 1e-9);
-  EXPECT_NEAR(e.totalByPose(), e.pose + e.map, 1e-12);
-  EXPECT_NEAR(e.pose, eval::gaussianEntropy({{leaves[0]->pose(), leaves[1]->pose()}, {0.25, 0.75}}),
-              1e-12);
+  double sum = 0;
+  map.cells().forEachPacked([&](int, int, const grid::EvidenceTile& tile) {
+    sum += eval::tileEntropy(map.cells().cellsOf(tile));
+  });
+  EXPECT_NEAR(sum, 2 * eval::cellEntropy(16), 1e-12) << "unknown cells do not count";
 }

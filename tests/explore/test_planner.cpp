@@ -120,13 +120,3 @@ TEST(Planner, OutsideTheMapNothingIsReached) {
   const Planner planner(grid, {-50, 0}, {});
   for (int i = 0; i < grid->size(); ++i) EXPECT_FALSE(planner.reaches(i));
 }
-
-TEST(Planner, ARouteIsClosedByWhatStandsInIt) {
-  const auto grid = gridOf(kRooms, 10);
-  const Planner before(grid, {1.2, 1.2}, {});
-  const auto route = before.routeTo(grid->indexOf({6.2, 1.2}));
-  EXPECT_TRUE(stillOpen(before, route, 0));
-  const auto with = gridOf(kRooms, 10, {route[route.size() / 2]});
-  EXPECT_FALSE(stillOpen(Planner(with, {1.2, 1.2}, {}), route, 0));
-  EXPECT_TRUE(stillOpen(Planner(with, {1.2, 1.2}, {}), route, route.size()));
-}

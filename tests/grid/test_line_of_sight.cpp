@@ -46,18 +46,4 @@ TEST(LineOfSight, WallsAndUnknownBlock) {
   EXPECT_FALSE(grid::inSight(map, {0.1, 0.1}, {2.5, 0.1}));  // leaves the known part
   for (int y = 0; y < 40; ++y) map.set({20, y}, -30);
   EXPECT_FALSE(grid::inSight(map, {0.1, 0.1}, {1.9, 1.5}));
-  ASSERT_TRUE(grid::firstOccupied(map, {0.1, 0.1}, {1.9, 1.5}));
-  EXPECT_EQ(grid::firstOccupied(map, {0.1, 0.1}, {1.9, 1.5})->x, 20);
-}
-
-TEST(CastRay, ReadsTheDistanceToAWall) {
-  OccupancyGrid map;
-  for (int y = -200; y < 200; ++y) map.set({60, y}, -30);  // its near side at x = 3
-  for (const double angle : {-1.0, -0.5, 0.0, 0.3, 1.1}) {
-    const auto range = grid::castRay(map, {0.013, 0.02}, angle, 20);
-    ASSERT_TRUE(range);
-    EXPECT_NEAR(*range, (3 - 0.013) / std::cos(angle), 1e-9);
-  }
-  EXPECT_FALSE(grid::castRay(map, {0, 0}, M_PI, 20));
-  EXPECT_FALSE(grid::castRay(map, {0, 0}, 0, 2));
 }

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "ariadne/core/error.h"
-#include "ariadne/eval/ancestor_levels.h"
 
 namespace ariadne::eval {
 namespace {
@@ -60,32 +59,6 @@ Eigen::Matrix3d poseCovariance(const geometry::WeightedPoses& set) {
 double gaussianEntropy(const geometry::WeightedPoses& set, const EntropyFloor& floor) {
   checkFloor(floor);
   return entropyOfGaussian(poseCovariance(set), floor);
-}
-
-double pathEntropy(const std::vector<filter::AncestorPtr>& leaves,
-                   const std::vector<double>& weights, const EntropyFloor& floor) {
-  checkFloor(floor);
-  geometry::checkCounts(weights.size(), leaves.size(), "particles");
-  geometry::checkWeights(weights);
-  const double of_one_pose = entropyOfGaussian(Eigen::Matrix3d::Zero(), floor);
-  double sum = 0;
-  std::size_t steps = 0;
-  geometry::WeightedPoses here;
-  for (AncestorLevels walk(leaves, weights); !walk.done(); walk.up()) {
-    double mass = 0;
-    for (const auto& e : walk.level()) mass += e.weight;
-    if (mass <= 0) continue;  // only particles of no weight have a past here
-    ++steps;
-    here.poses.clear();
-    here.weights.clear();
-    for (const auto& e : walk.level()) {
-      here.poses.push_back(e.node->pose());
-      here.weights.push_back(e.weight / mass);
-    }
-    sum += here.poses.size() == 1 ? of_one_pose : entropyOfGaussian(covarianceOf(here), floor);
-  }
-  if (steps == 0) throw core::Error("particles without ancestors have no path to measure");
-  return sum / static_cast<double>(steps);
 }
 
 }  // namespace ariadne::eval

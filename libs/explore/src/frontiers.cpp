@@ -117,12 +117,4 @@ std::optional<std::size_t> chooseFrontier(const std::vector<Frontier>& frontiers
   return best;
 }
 
-bool frontierNear(const std::vector<Frontier>& frontiers, const TPoint2D& point, double radius_m) {
-  return std::any_of(frontiers.begin(), frontiers.end(), [&](const Frontier& f) {
-    return f.left.empty() && std::any_of(f.cells.begin(), f.cells.end(), [&](const TPoint2D& c) {
-             return geometry::distance(c, point) <= radius_m;
-           });
-  });
-}
-
 }  // namespace ariadne::explore

@@ -128,12 +128,4 @@ int Planner::nearestTo(const mrpt::math::TPoint2D& point, double radius_m) const
   return best;
 }
 
-bool stillOpen(const Planner& planner, const Route& route, std::size_t first) {
-  return std::all_of(route.begin() + static_cast<std::ptrdiff_t>(std::min(first, route.size())),
-                     route.end(), [&](const mrpt::math::TPoint2D& p) {
-                       const int i = planner.grid().indexOf(p);
-                       return i >= 0 && planner.open(i);
-                     });
-}
-
 }  // namespace ariadne::explore

@@ -8,8 +8,8 @@ namespace ariadne::report {
 
 class RunningEntropy {
  public:
-  /// eval::mapEntropy() of the known cells, nats; only tiles that changed since the last map are
-  /// summed anew.
+  /// Sum of eval::cellEntropy() over the known cells, nats; only tiles that changed since the last
+  /// map are summed anew.
   double of(const grid::OccupancyGrid& map);
 
  private:

@@ -12,39 +12,33 @@ namespace ariadne::eval {
 
 class AncestorLevels {
  public:
-  struct Entry {
-    const filter::Ancestor* node = nullptr;
-    double weight = 0;  ///< sum over the leaves that descend from the node
-  };
+  using Nodes = std::vector<const filter::Ancestor*>;
 
   /// Stands at the leaves' latest step. Null leaves have no ancestors and are left out. The leaves
   /// must outlive the walk.
-  /// @param weights one a leaf (core::Error when not), or none for weight 0
-  explicit AncestorLevels(const std::vector<filter::AncestorPtr>& leaves,
-                          const std::vector<double>& weights = {});
+  explicit AncestorLevels(const std::vector<filter::AncestorPtr>& leaves);
 
   /// True when the walk is above all roots.
   bool done() const { return level_.empty(); }
   std::size_t step() const { return step_; }
   /// The distinct ancestors at step(); the leaves themselves where they are of that step.
-  const std::vector<Entry>& level() const { return level_; }
+  const Nodes& level() const { return level_; }
   /// On to the next earlier step at which there is an ancestor.
   void up();
 
  private:
-  void meet(const filter::Ancestor* node, double weight);
+  void meet(const filter::Ancestor* node);
   void takeLatest();
 
-  std::vector<Entry> frontier_;  // distinct, one or more a line, of any step
-  std::vector<Entry> level_;     // those of the latest step
+  Nodes frontier_;  // distinct, one or more a line, of any step
+  Nodes level_;     // those of the latest step
   std::size_t step_ = 0;
-  std::vector<Entry> next_;
-  // Where in next_ a node is: open addressing, and slots of earlier rounds count as empty, so that
+  Nodes next_;
+  // Which nodes next_ holds: open addressing, and slots of earlier rounds count as empty, so that
   // nothing is cleared between the steps.
   struct Slot {
     const filter::Ancestor* node = nullptr;
     std::uint32_t round = 0;
-    std::uint32_t index = 0;
   };
   std::vector<Slot> slots_;
   std::uint32_t round_ = 0;

@@ -1,4 +1,4 @@
-// How much of the past the particles still disagree about, and how much of it was lost.
+// How much of the past the particles still disagree about.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -12,12 +12,5 @@ namespace ariadne::eval {
 /// of distinct ancestors.
 std::vector<std::size_t> uniqueAncestors(const std::vector<filter::AncestorPtr>& leaves,
                                          std::size_t steps);
-
-/// The share of the distinct ancestors of `true_set_at_te` that have a descendant among `leaves`
-/// (or are one), 0 to 1: what Section V of the paper puts at about 75 %. Ancestors are told apart
-/// by identity, so two particles that share their node at te are one.
-/// Throws core::Error when the true set is empty, or holds a null or a node of another step.
-double survivors(const std::vector<filter::AncestorPtr>& true_set_at_te,
-                 const std::vector<filter::AncestorPtr>& leaves, std::size_t te);
 
 }  // namespace ariadne::eval

@@ -1,9 +1,7 @@
-// The path term of Eq. (6): entropies of Gaussians fitted to weighted poses.
+// The pose term of Eq. (6): entropy of a Gaussian fitted to weighted poses.
 #pragma once
 #include <Eigen/Dense>
-#include <vector>
 
-#include "ariadne/filter/ancestry.h"
 #include "ariadne/geometry/weighted_poses.h"
 
 namespace ariadne::eval {
@@ -25,13 +23,5 @@ Eigen::Matrix3d poseCovariance(const geometry::WeightedPoses& set);
 /// ln((2 pi e)^3 det(S + F)) / 2 in nats, S the covariance above and F the floor's.
 /// Throws core::Error for a set that is not normalised, core::UsageError for a floor not over 0.
 double gaussianEntropy(const geometry::WeightedPoses& set, const EntropyFloor& floor = {});
-
-/// Mean over the steps of the path of gaussianEntropy() of the ancestors at the step, an ancestor
-/// weighing what its descendants do; nats a pose. The bound H(x_1:t) <= sum of H(x_k), divided by
-/// t (Roy et al. 1999; Stachniss, Grisetti and Burgard, RSS 2005). Lines that begin late
-/// are left out of the steps before, and the others' weights scaled to 1.
-/// Throws core::Error when no line has a node, or as above.
-double pathEntropy(const std::vector<filter::AncestorPtr>& leaves,
-                   const std::vector<double>& weights, const EntropyFloor& floor = {});
 
 }  // namespace ariadne::eval

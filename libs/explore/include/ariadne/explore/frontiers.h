@@ -36,8 +36,4 @@ std::vector<Frontier> findFrontiers(const Planner& planner, const ExploreParams&
 std::optional<std::size_t> chooseFrontier(const std::vector<Frontier>& frontiers,
                                           const ExploreParams& params);
 
-/// Whether a frontier that may be gone to has a cell within `radius_m` of the point.
-bool frontierNear(const std::vector<Frontier>& frontiers, const mrpt::math::TPoint2D& point,
-                  double radius_m);
-
 }  // namespace ariadne::explore

@@ -13,15 +13,13 @@ using Route = std::vector<mrpt::math::TPoint2D>;  ///< m, map frame
 
 class Planner {
  public:
-  /// Ways keep the robot's radius and clearance from walls and its radius from the unknown, and
+  /// Routes keep the robot's radius and clearance from walls and its radius from the unknown, and
   /// cost up to three times their length where walls are nearer than preferred. A robot that
   /// already stands too near may leave the place.
   Planner(std::shared_ptr<const PlanningGrid> grid, const mrpt::math::TPoint2D& robot,
           const ExploreParams& params);
 
   const PlanningGrid& grid() const { return *grid_; }
-  /// Whether the robot may stand in the cell, wherever it comes from.
-  bool open(int cell) const { return open_[cell] != 0; }
   bool reaches(int cell) const { return cost_[cell] >= 0; }
   /// What the search minimises; needs reaches().
   int cost(int cell) const { return cost_[cell]; }
@@ -44,9 +42,5 @@ class Planner {
   std::vector<int> cost_;    // -1 not reached
   std::vector<int> before_;  // cell that the route comes from
 };
-
-/// Whether the robot's disc can still follow the route: no point of it, from `first` on, lies in a
-/// cell that is not open.
-bool stillOpen(const Planner& planner, const Route& route, std::size_t first);
 
 }  // namespace ariadne::explore

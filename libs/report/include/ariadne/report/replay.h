@@ -79,11 +79,11 @@ struct ReplayStep {
   double neff = 0;        ///< Eq. (10), before resampling
   bool resampled = false;
   std::optional<std::size_t> unique_ancestors;  ///< as slam::StepReport counts them
-  double pose_entropy = 0;                      ///< nats, eval::gaussianEntropy
-  std::optional<double> map_entropy;            ///< nats, of s*, known cells; at keyframes
-  std::optional<double> error_m;                ///< distance of s* from the true position
-  mrpt::math::TPose2D map_from_robot;           ///< s* as believed then
-  std::optional<mrpt::math::TPose2D> truth;     ///< true map_from_robot
+  double pose_entropy = 0;                   ///< nats, eval::gaussianEntropy: first term of Eq. (6)
+  std::optional<double> map_entropy;         ///< nats, known cells of s*: second term; at keyframes
+  std::optional<double> error_m;             ///< distance of s* from the true position
+  mrpt::math::TPose2D map_from_robot;        ///< s* as believed then
+  std::optional<mrpt::math::TPose2D> truth;  ///< true map_from_robot
   closing::LoopState loop_state = closing::LoopState::exploring;
   std::string state;  ///< in words
 };
