@@ -59,8 +59,8 @@ int main(int argc, char** argv) {
     while (const auto step = log->next()) {
       if (!mapper.process(*step)) continue;
       for (const auto* closing : mapper.openClosings()) {
-        paper.ask(closing->name, closing->course);
-        own.ask(closing->name, closing->course);
+        paper.ask(closing->id, closing->course);
+        own.ask(closing->id, closing->course);
       }
     }
     std::cout << mapper.closings().size() << " loops in " << mapper.updates() << " updates\n";

@@ -23,7 +23,7 @@ ReplayMoment detectionOf(const slam::ClosingRecord& record) {
   m.text = fmt::format("Its entry is {:.1f} m away by the map and {:.1f} m by the graph.",
                        o.dist_m_m, o.dist_g_m);
   m.table = {{"what", "value"},
-             {"places in I(s*), Eq. (7)", fmt::format("{}", o.places)},
+             {"places in I(s*), Eq. (7)", fmt::format("{}", o.places.size())},
              {"dist_m to the entry", fmt::format("{:.2f} m", o.dist_m_m)},
              {"dist_G to the entry", fmt::format("{:.2f} m", o.dist_g_m)},
              {"entry", fmt::format("({:.2f}, {:.2f}) m", c.entry_position.x, c.entry_position.y)},

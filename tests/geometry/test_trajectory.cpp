@@ -18,14 +18,10 @@ TEST(Trajectory, SortedByTimeKeepsTheOrderOfEqualStamps) {
   EXPECT_EQ(sorted[1].pose.x, 1);
   EXPECT_EQ(sorted[2].pose.x, 3);
 }
-TEST(Trajectory, LengthIsThatOfAllLegs) {
-  EXPECT_EQ(lengthOf({}), 0);
-  EXPECT_EQ(lengthOf({{7, {1, 2, 3}}}), 0);
-  EXPECT_DOUBLE_EQ(lengthOf({{0, {0, 0, 0}}, {1, {3, 4, 1}}, {2, {3, 4, 2}}, {3, {3, 3, 2}}}), 6);
-}
 
 TEST(Trajectory, LengthIsThatOfAllLegs) {
   EXPECT_EQ(lengthOf({}), 0);
   EXPECT_EQ(lengthOf({{7, {1, 2, 3}}}), 0);
   EXPECT_DOUBLE_EQ(lengthOf({{0, {0, 0, 0}}, {1, {3, 4, 1}}, {2, {3, 4, 2}}, {3, {3, 3, 2}}}), 6);
 }
+

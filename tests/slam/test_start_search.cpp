@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "ariadne/core/error.h"
+#include "ariadne/geometry/pose.h"
 #include "ariadne/slam/mapper.h"
 #include "ariadne/slam/start_search.h"
 #include "drive.h"
@@ -29,7 +30,7 @@ class StartSearch : public ::testing::Test {
     known_ = mapper.simpleMap();
     // The map's frame is that of the first scan.
     for (const TPose2D& p : next_.truth)
-      truth_.push_back(models::relativePose(next_.truth.front(), p));
+      truth_.push_back(geometry::relativePose(next_.truth.front(), p));
   }
   slam::StartSearch search(std::size_t from, const std::optional<TPose2D>& given = {},
                            std::size_t most = 1000) {
@@ -40,7 +41,7 @@ class StartSearch : public ::testing::Test {
   }
   /// Of the place that was found, m and rad. The map itself is true to 5 cm and a degree.
   void expectAt(const slam::StartSearch& found, std::size_t step) {
-    const TPose2D off = models::relativePose(truth_[step], found.best.map_from_robot);
+    const TPose2D off = geometry::relativePose(truth_[step], found.best.map_from_robot);
     EXPECT_LT(std::hypot(off.x, off.y), 0.12);
     EXPECT_LT(std::abs(off.phi), 0.04);
   }

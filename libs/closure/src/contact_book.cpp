@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "ariadne/geometry/pose.h"
+
 namespace ariadne::closure {
 
 void ContactBook::extend(const Track& track, const std::vector<ScanHits>& hits) {
@@ -23,7 +25,7 @@ std::size_t visitBegin(const Track& track, double least_way_m) {
   constexpr double kLongest_m = 200;
   const auto amongOld = [&](std::size_t at) {
     for (std::size_t k = 0; track.travelled_m[at] - track.travelled_m[k] >= least_way_m; ++k)
-      if (distance(track.poses[k], track.poses[at]) < kNear_m) return true;
+      if (geometry::distance(track.poses[k], track.poses[at]) < kNear_m) return true;
     return false;
   };
   const double now_m = track.travelled_m.back();

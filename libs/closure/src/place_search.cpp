@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ariadne/closure/correlation.h"
+#include "ariadne/geometry/pose.h"
 #include "refine.h"
 
 namespace ariadne::closure {
@@ -34,7 +35,7 @@ HitRaster wallsAbout(const grid::OccupancyGrid& map, const TPose2D& centre, doub
 }
 
 bool isElsewhere(const TPose2D& a, const TPose2D& b) {
-  return distance(a, b) > kOtherPlace_m ||
+  return geometry::distance(a, b) > kOtherPlace_m ||
          std::abs(std::remainder(a.phi - b.phi, 2 * M_PI)) > kOtherHeading_rad;
 }
 
@@ -68,7 +69,7 @@ std::vector<Place> searchPlaces(const grid::OccupancyGrid& map, const Points& po
     for (const Mode& mode : correlate(raster, points, centre, {half_m, M_PI / 4}, kSearchTurn_rad,
                                       kOtherPlace_m, kRefined)) {
       const Place place = placeAt(map, points, mode.map_from_piece);
-      if (isFreeAbout(map, placed(place.map_from_piece, laser))) all.push_back(place);
+      if (isFreeAbout(map, place.map_from_piece.composePoint(laser))) all.push_back(place);
     }
   }
   std::sort(all.begin(), all.end(),

@@ -5,6 +5,7 @@
 #include "ariadne/closure/piece.h"
 #include "ariadne/closure/place_search.h"
 #include "ariadne/core/error.h"
+#include "ariadne/geometry/pose.h"
 #include "ariadne/grid/endpoint_likelihood.h"
 #include "ariadne/models/motion_model.h"
 #include "ariadne/slam/mapper.h"
@@ -50,7 +51,7 @@ Piece firstPiece(const SlamParams& params, int threads,
     const auto step = next();
     if (!step) break;
     if (const auto report = mapper.process(*step)) {
-      if (report->step > 0) way_m += closure::distance(last, report->map_from_robot);
+      if (report->step > 0) way_m += geometry::distance(last, report->map_from_robot);
       last = report->map_from_robot;
     }
   }

@@ -20,6 +20,8 @@ class Planner {
           const ExploreParams& params);
 
   const PlanningGrid& grid() const { return *grid_; }
+  /// Whether the robot may stand there.
+  bool open(int cell) const { return open_[cell] != 0; }
   bool reaches(int cell) const { return cost_[cell] >= 0; }
   /// What the search minimises; needs reaches().
   int cost(int cell) const { return cost_[cell]; }
