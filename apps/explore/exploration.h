@@ -17,9 +17,10 @@ struct ExplorationResult {
   double decisions_s = 0;        ///< CPU time of all decisions
   slam_app::RunResult mapping;   ///< of the drive, as ariadne-slam has it
   double coverage = 0;           ///< mission::coverage()
-  eval::MapScore score;          ///< within kMapTolerance_m, path laid over truth as for the ATE
+  eval::MapScore score;          ///< against the world's walls, within kMapTolerance_m
+  eval::MapScore score_by_grid;  ///< against the walls of a grid of all that can be seen
   eval::LoopErrors loop_errors;  ///< across the true loop closures
-  bool correct = false;          ///< these are within [correct]
+  eval::Verdict verdict = eval::Verdict::no_loop;  ///< of these by [correct]
 };
 
 /// Walls count as right so near to a true one, m: somewhat more than a correct map is off.

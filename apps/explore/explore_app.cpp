@@ -32,16 +32,20 @@ ariadne-slam ([parameters.md](parameters.md)). [explore] strategy sets [loop_clo
 [recovery] enabled, whatever they say.
 )";
 
+std::string toldOf(const ExplorationResult& r) {
+  if (r.verdict == eval::Verdict::no_loop) return "no true loop to judge it by";
+  if (r.verdict == eval::Verdict::correct) return "every true loop is closed right";
+  return fmt::format("wrong: a loop is off by {:.2f} m, {:.0f} degrees",
+                     r.loop_errors.worst_translation.translation_m,
+                     r.loop_errors.worst_heading.heading_deg);
+}
+
 void printResult(std::ostream& out, const ExplorationResult& r) {
   fmt::print(out, "{}: {:.0f} m in {:.0f} s of driving, computed in {:.1f} s\n",
              r.mission.end_reason, r.mission.distance_m, r.mission.steps.back().time_s,
              r.mapping.record.total_s);
   fmt::print(out, "{:.1f} % of what can be seen was seen; ATE {:.2f} m; map score {:.3f}; {}\n",
-             100 * r.coverage, r.mapping.truth->ate_rmse_m, r.score.f1,
-             r.correct ? "every true loop is closed right"
-                       : fmt::format("wrong: a loop is off by {:.2f} m, {:.0f} degrees",
-                                     r.loop_errors.worst_translation.translation_m,
-                                     r.loop_errors.worst_heading.heading_deg));
+             100 * r.coverage, r.mapping.truth->ate_rmse_m, r.score.f1, toldOf(r));
   const slam_app::LoopCounts loops = slam_app::countLoops(r.mapping.closings);
   fmt::print(out, "Loops: {} detected, {} closed, {} followed by a recovery of diversity\n",
              loops.detected, loops.closed, loops.recovered);

@@ -36,6 +36,13 @@ std::size_t followed(const std::vector<explore::Decision>& decisions) {
   return count;
 }
 
+/// What the true loop closures tell; null where there is none.
+template <class T>
+nlohmann::ordered_json ofLoops(const ExplorationResult& r, T value) {
+  if (r.verdict == eval::Verdict::no_loop) return nullptr;
+  return value;
+}
+
 nlohmann::ordered_json explorationOf(const ExplorationResult& r) {
   return {{"world", r.config.world.file},
           {"strategy", strategyOf(r.config)},
@@ -45,10 +52,12 @@ nlohmann::ordered_json explorationOf(const ExplorationResult& r) {
           {"map_score", r.score.f1},
           {"map_precision", r.score.precision},
           {"map_recall", r.score.recall},
-          {"correct", r.correct},
+          {"map_score_by_grid", r.score_by_grid.f1},
+          {"verdict", eval::nameOf(r.verdict)},
+          {"correct", ofLoops(r, r.verdict == eval::Verdict::correct)},
           {"true_closures", r.loop_errors.closures.size()},
-          {"worst_closure_error_m", r.loop_errors.worst_translation.translation_m},
-          {"worst_closure_error_deg", r.loop_errors.worst_heading.heading_deg},
+          {"worst_closure_error_m", ofLoops(r, r.loop_errors.worst_translation.translation_m)},
+          {"worst_closure_error_deg", ofLoops(r, r.loop_errors.worst_heading.heading_deg)},
           {"distance_m", r.mission.distance_m},
           {"duration_s", r.mission.steps.back().time_s},
           {"closings", followed(r.decisions)},
@@ -122,7 +131,8 @@ report::Replay replayOf(report::ReplayRecorder& recorder, const slam::Mapper& ma
   fact("End", result.mission.end_reason);
   fact("Coverage", fmt::format("{:.1f} %", 100 * result.coverage));
   fact("Map score", fmt::format("{:.3f}", result.score.f1));
-  fact("Map", result.correct ? "correct" : "wrong");
+  fact("Map", result.verdict == eval::Verdict::no_loop ? "no true loop to judge it by"
+                                                       : eval::nameOf(result.verdict));
   fact("Collisions", fmt::format("{}", result.mission.collisions.size()));
   return replay;
 }

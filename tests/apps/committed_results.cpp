@@ -64,6 +64,7 @@ void expectWithin(const Runs& runs, const Runs& committed) {
     EXPECT_EQ(row[failed], "0");
     for (std::size_t i = failed + 1 + judged; i < row.size(); ++i) {
       const Range range = rangeOf(committed, likes(runs, row), i);
+      if (judged && row[failed + 1] == "unjudged" && row[i].empty()) continue;
       if (row[i].empty() || isTime(runs.columns[i])) {
         EXPECT_EQ(row[i].empty(), range.most < range.least) << runs.columns[i];
         continue;

@@ -22,8 +22,8 @@ Runs readRuns(const std::filesystem::path& file);
 /// values of the factors, widened on both sides by half of its width, or by a twentieth of its
 /// larger end where that is more. How that was found: another seed's run and a filter that draws
 /// other numbers stay inside (the range is of 10 seeds or more), a filter that is broken does not.
-/// Times (names that end in _s) must only be there. Fails, too, for a run that failed and for one
-/// of which no like was committed.
+/// Times (names that end in _s) must only be there. An unjudged run may lack figures. Fails, too,
+/// for a run that failed and for one of which no like was committed.
 void expectWithin(const Runs& runs, const Runs& committed);
 
 }  // namespace ariadne::test

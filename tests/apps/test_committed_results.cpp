@@ -24,6 +24,7 @@ TEST(CommittedResults, HoldWhatIsWithinHalfTheirWidth) {
   expectWithin(ran({"7", "0", "one", "0", "1", "25", "3"}), kCommitted);
   expectWithin(ran({"7", "3", "one", "0", "1", "104", "3"}), kCommitted);
   expectWithin(ran({"7", "3", "two", "0", "1", "", "3"}), kCommitted);
+  expectWithin(ran({"7", "0", "one", "0", "unjudged", "", "3"}), kCommitted);
 }
 
 TEST(CommittedResults, FailWhatIsNot) {

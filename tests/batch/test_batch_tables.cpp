@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "ariadne/batch/figures.h"
 #include "ariadne/batch/runs_csv.h"
 #include "ariadne/batch/tables.h"
@@ -110,6 +113,28 @@ TEST(BatchTables, RunsAsCsvHaveNoTimesHostsOrPaths) {
   EXPECT_NE(csv.find("\n10,7,two_b,1,,\n"), std::string::npos) << "it crashed: " << csv;
 }
 
+TEST(BatchTables, AnUnjudgedRunIsToldApartAndInNoRate) {
+  Made m = make("laps");
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  m.results["2a"].figures = {{"right", none}, {"x", none}};
+  m.results["9b"].figures["b_right"] = none;
+  const auto cells = cellsOf(m.plan, m.results);
+  EXPECT_EQ(cells[0].finished, 10U);
+  EXPECT_EQ(cells[0].unjudged, 1U);
+  EXPECT_EQ(cells[0].successes, 2U);
+  EXPECT_DOUBLE_EQ(*cells[0].medians[0], 6) << "of 1, 3, 4, ... 10";
+  // Only the second: seeds 4 to 8; 9 has no pair, and neither has 2.
+  EXPECT_EQ(cells[1].pairs->only_first, 1U);
+  EXPECT_EQ(cells[1].pairs->only_this, 5U);
+  const std::string text = tableText(m, TableFormat::text);
+  EXPECT_NE(text.find("2/9 (22 %)"), std::string::npos) << text;
+  EXPECT_NE(text.find("nothing to judge right by"), std::string::npos) << text;
+  const std::string csv = tableText(m, TableFormat::csv);
+  EXPECT_EQ(csv.rfind("laps,arm,runs,failed,unjudged,successes,rate,", 0), 0U) << csv;
+  EXPECT_NE(csv.find("7,one,10,0,1,2,0.222222,"), std::string::npos) << csv;
+  EXPECT_NE(runsCsv(m.plan, m.results).find("\n2,7,one,0,unjudged,\n"), std::string::npos);
+}
+
 TEST(BatchTables, WithoutResultsItIsEmptyNotWrong) {
   Made m = make("laps");
   m.results.clear();
@@ -130,9 +155,11 @@ TEST(BatchTables, AFigureThatNoRunHasIsNamed) {
 }
 
 TEST(BatchFigures, OfSummariesRowsAndPrints) {
-  EXPECT_EQ(figuresOfSummary(R"({"a": {"b": 1.5, "c": null}, "d": true, "e": "text", "f": [1],
-                                 "parameters": {"x": 3}})",
-                             "s"),
-            (Figures{{"a.b", 1.5}, {"d", 1}}));
+  Figures figures = figuresOfSummary(R"({"a": {"b": 1.5, "c": null}, "d": true, "e": "text",
+                                         "f": [1], "parameters": {"x": 3}})",
+                                     "s");
+  EXPECT_TRUE(std::isnan(figures.at("a.c"))) << "the program says that there is none";
+  figures.erase("a.c");
+  EXPECT_EQ(figures, (Figures{{"a.b", 1.5}, {"d", 1}}));
   EXPECT_THROW(figuresOfSummary("{", "s"), core::Error);
 }

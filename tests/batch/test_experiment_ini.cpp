@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "ariadne/batch/experiment.h"
 #include "ariadne/core/error.h"
 
@@ -125,11 +127,15 @@ TEST(ExperimentIni, SuccessByBound) {
   const auto success = [](const std::string& text) {
     return batch::parseSuccess({"figures", "success", text, "e.ini:1"});
   };
-  EXPECT_TRUE(success("a <= 2").of({{"a", 2}}));
-  EXPECT_FALSE(success("a<2").of({{"a", 2}}));
-  EXPECT_TRUE(success("a >=2").of({{"a", 2}}));
-  EXPECT_FALSE(success("a > 2").of({{"a", 2}}));
-  EXPECT_TRUE(success("a").of({{"a", 1}}));
-  EXPECT_FALSE(success("a").of({{"a", 0}}));
-  EXPECT_FALSE(success("a >= 0").of({{"b", 2}})) << "a run without the figure is no success";
+  EXPECT_EQ(success("a <= 2").of({{"a", 2}}), batch::Judgement::success);
+  EXPECT_EQ(success("a<2").of({{"a", 2}}), batch::Judgement::no_success);
+  EXPECT_EQ(success("a >=2").of({{"a", 2}}), batch::Judgement::success);
+  EXPECT_EQ(success("a > 2").of({{"a", 2}}), batch::Judgement::no_success);
+  EXPECT_EQ(success("a").of({{"a", 1}}), batch::Judgement::success);
+  EXPECT_EQ(success("a").of({{"a", 0}}), batch::Judgement::no_success);
+  EXPECT_EQ(success("a >= 0").of({{"b", 2}}), batch::Judgement::no_success)
+      << "a run without the figure is no success";
+  const batch::Figures none = {{"a", std::numeric_limits<double>::quiet_NaN()}};
+  for (const char* text : {"a", "a >= 0", "a < 1"})
+    EXPECT_EQ(success(text).of(none), batch::Judgement::unjudged) << text;
 }

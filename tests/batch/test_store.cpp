@@ -1,3 +1,6 @@
+#include <cmath>
+#include <limits>
+
 #include "ariadne/batch/store.h"
 #include "ariadne/core/error.h"
 #include "stand_in.h"
@@ -103,6 +106,9 @@ TEST_F(Storing, ResultsReadBackAndAFailureDoesNotReplaceASuccess) {
   EXPECT_FALSE(store.result(r.key));
   store.put(r);
   EXPECT_EQ(store.result(r.key)->figures, r.figures);
+  r.figures["none"] = std::numeric_limits<double>::quiet_NaN();
+  store.put(r);
+  EXPECT_TRUE(std::isnan(store.result(r.key)->figures.at("none"))) << "there, and no number";
   batch::RunResult failed = r;
   failed.failure = "exit code 1";
   failed.last_words = std::string("no UTF-8: \xff\xfe \"quoted\"\n\x01");

@@ -32,7 +32,7 @@ TEST(LoopErrors, APerfectPathIsCorrectInAnyFrame) {
   const auto errors = eval::loopErrors(moved, truth, 0);
   EXPECT_GT(errors.closures.size(), 50U);
   EXPECT_NEAR(errors.worst_translation.translation_m, 0, 1e-9);
-  EXPECT_TRUE(eval::correct(errors));
+  EXPECT_EQ(eval::verdictOf(errors), eval::Verdict::correct);
 }
 
 TEST(LoopErrors, AShiftOfTheSecondLapIsFound) {
@@ -41,8 +41,8 @@ TEST(LoopErrors, AShiftOfTheSecondLapIsFound) {
   for (std::size_t i = 400; i < path.size(); ++i) path[i].pose.x += 0.7;
   const auto errors = eval::loopErrors(path, truth, 0);
   EXPECT_NEAR(errors.worst_translation.translation_m, 0.7, 1e-9);
-  EXPECT_FALSE(eval::correct(errors));
-  EXPECT_TRUE(eval::correct(errors, {0.71, 5}));
+  EXPECT_EQ(eval::verdictOf(errors), eval::Verdict::wrong);
+  EXPECT_EQ(eval::verdictOf(errors, {0.71, 5}), eval::Verdict::correct);
 }
 
 TEST(LoopErrors, TheClosuresAreThoseOfBruteForce) {
@@ -62,5 +62,5 @@ TEST(LoopErrors, APathWithoutALoopHasNoClosure) {
   for (int i = 0; i < 300; ++i) line.push_back({0.1 * i, {0.2 * i, 0, 0}});
   const auto errors = eval::loopErrors(line, line, 0);
   EXPECT_TRUE(errors.closures.empty());
-  EXPECT_TRUE(eval::correct(errors));
+  EXPECT_EQ(eval::verdictOf(errors), eval::Verdict::no_loop) << "not correct: nothing was judged";
 }

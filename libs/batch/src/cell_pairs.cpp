@@ -10,8 +10,7 @@ namespace {
 
 std::optional<double> figureOf(const Plan& plan, const RunResult& result, std::size_t arm,
                                const std::string& name) {
-  const auto found = result.figures.find(plan.arms[arm].prefix + name);
-  return found == result.figures.end() ? std::nullopt : std::optional<double>(found->second);
+  return valueOf(result.figures, plan.arms[arm].prefix + name);
 }
 
 }  // namespace
@@ -29,10 +28,10 @@ Pairs pairsOf(const Plan& plan, const Runs& first, const Runs& runs, std::size_t
   for (const auto& [seed, result] : runs) {
     const auto other = first.find(seed);
     if (other == first.end() || !isFinished(result) || !isFinished(other->second)) continue;
-    const bool this_one = successOf(plan, arm).of(result->figures);
-    const bool first_one = successOf(plan, 0).of(other->second->figures);
-    pairs.only_first += first_one && !this_one ? 1 : 0;
-    pairs.only_this += this_one && !first_one ? 1 : 0;
+    const Judgement this_one = successOf(plan, arm).of(result->figures);
+    const Judgement first_one = successOf(plan, 0).of(other->second->figures);
+    pairs.only_first += first_one == Judgement::success && this_one == Judgement::no_success;
+    pairs.only_this += this_one == Judgement::success && first_one == Judgement::no_success;
   }
   pairs.p = eval::mcnemarTest(pairs.only_first, pairs.only_this);
   return pairs;

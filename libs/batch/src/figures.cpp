@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "ariadne/core/error.h"
@@ -21,6 +22,8 @@ void collect(const PlainJson& at, const std::string& name, int depth, Figures& f
     figures[name] = at.get<bool>() ? 1 : 0;
   else if (at.is_number() && std::isfinite(at.get<double>()))
     figures[name] = at.get<double>();
+  else if (at.is_null())
+    figures[name] = std::numeric_limits<double>::quiet_NaN();
   else if (at.is_object())
     for (const auto& [key, value] : at.items())
       if (key != "parameters")

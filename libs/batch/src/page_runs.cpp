@@ -30,7 +30,9 @@ std::string resultOf(const Outcome& o, const PlannedRun& run, const RunResult* r
   if (o.plan.success.figure.empty()) return "finished";
   Success success = o.plan.success;
   success.figure = o.plan.arms[run.arm].prefix + success.figure;
-  return success.of(result->figures) ? "success" : "no success";
+  const Judgement judgement = success.of(result->figures);
+  if (judgement == Judgement::unjudged) return "unjudged";
+  return judgement == Judgement::success ? "success" : "no success";
 }
 
 /// Links to what is there; `%` and the like do not come in keys, which are hashes.
@@ -56,8 +58,8 @@ std::string rowOf(const Outcome& o, const PlannedRun& run, const Store& store) {
   for (const std::string& figure : o.plan.figures) {
     row.emplace_back();
     if (!result) continue;
-    const auto value = result->figures.find(o.plan.arms[run.arm].prefix + figure);
-    if (value != result->figures.end()) row.back() = fmt::format("{:.6g}", value->second);
+    if (const auto value = valueOf(result->figures, o.plan.arms[run.arm].prefix + figure))
+      row.back() = fmt::format("{:.6g}", *value);
   }
   row.push_back(result ? fmt::format("{:.1f}", result->wall_s) : "");
   row.push_back(linksOf(run, result, store));

@@ -16,10 +16,10 @@ namespace {
 using PointOf = std::function<std::optional<PlotPoint>(const Cell&)>;
 
 std::optional<PlotPoint> ratePoint(const Cell& cell) {
-  if (cell.finished == 0) return std::nullopt;
-  const eval::Interval i = eval::wilsonInterval(cell.successes, cell.finished);
-  const double rate = static_cast<double>(cell.successes) / static_cast<double>(cell.finished);
-  return PlotPoint{0, 100 * rate, 100 * i.low, 100 * i.high, cell.finished};
+  if (cell.judged() == 0) return std::nullopt;
+  const eval::Interval i = eval::wilsonInterval(cell.successes, cell.judged());
+  const double rate = static_cast<double>(cell.successes) / static_cast<double>(cell.judged());
+  return PlotPoint{0, 100 * rate, 100 * i.low, 100 * i.high, cell.judged()};
 }
 
 std::optional<PlotPoint> medianPoint(const Cell& cell, std::size_t figure) {

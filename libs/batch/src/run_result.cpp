@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "ariadne/core/error.h"
@@ -29,7 +30,9 @@ RunResult parseResult(const std::string& text, const std::string& name) {
     r.wall_s = json.at("wall_s");
     r.cpu_s = json.at("cpu_s");
     r.host = json.at("host");
-    for (const auto& [figure, value] : json.at("figures").items()) r.figures[figure] = value;
+    for (const auto& [figure, value] : json.at("figures").items())
+      r.figures[figure] =
+          value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
     return r;
   } catch (const std::exception& e) {
     throw core::Error(

@@ -8,6 +8,11 @@
 namespace ariadne::batch {
 namespace {
 
+const char* wordOf(Judgement judgement) {
+  if (judgement == Judgement::unjudged) return "unjudged";
+  return judgement == Judgement::success ? "1" : "0";
+}
+
 std::vector<std::string> rowOf(const Plan& plan, const PlannedRun& run, const RunResult& result) {
   std::vector<std::string> row = {std::to_string(run.seed)};
   row.insert(row.end(), run.values.begin(), run.values.end());
@@ -15,10 +20,10 @@ std::vector<std::string> rowOf(const Plan& plan, const PlannedRun& run, const Ru
   const bool finished = isFinished(&result);
   row.emplace_back(finished ? "0" : "1");
   if (!plan.success.figure.empty())
-    row.emplace_back(!finished ? "" : successOf(plan, run.arm).of(result.figures) ? "1" : "0");
+    row.emplace_back(finished ? wordOf(successOf(plan, run.arm).of(result.figures)) : "");
   for (const std::string& figure : plan.figures) {
-    const auto found = result.figures.find(plan.arms[run.arm].prefix + figure);
-    row.push_back(found == result.figures.end() ? "" : fmt::format("{}", found->second));
+    const auto value = valueOf(result.figures, plan.arms[run.arm].prefix + figure);
+    row.push_back(value ? fmt::format("{}", *value) : "");
   }
   return row;
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "ariadne/io/ini_fields.h"
 
 namespace ariadne::batch {
@@ -21,15 +23,23 @@ std::vector<std::string> splitList(const std::string& text, const char* separato
   return words;
 }
 
-bool Success::of(const Figures& figures) const {
+std::optional<double> valueOf(const Figures& figures, const std::string& name) {
+  const auto found = figures.find(name);
+  if (found == figures.end() || std::isnan(found->second)) return std::nullopt;
+  return found->second;
+}
+
+Judgement Success::of(const Figures& figures) const {
   const auto found = figures.find(figure);
-  if (found == figures.end()) return false;
+  if (found == figures.end()) return Judgement::no_success;
   const double value = found->second;
-  if (relation == "<=") return value <= bound;
-  if (relation == ">=") return value >= bound;
-  if (relation == "<") return value < bound;
-  if (relation == ">") return value > bound;
-  return value != bound;
+  if (std::isnan(value)) return Judgement::unjudged;
+  bool holds = value != bound;
+  if (relation == "<=") holds = value <= bound;
+  if (relation == ">=") holds = value >= bound;
+  if (relation == "<") holds = value < bound;
+  if (relation == ">") holds = value > bound;
+  return holds ? Judgement::success : Judgement::no_success;
 }
 
 std::string Success::text() const {

@@ -29,11 +29,12 @@ Cell cellOf(const Plan& plan, const Values& values, std::size_t arm, std::size_t
       continue;
     }
     ++cell.finished;
-    if (success.of(result->figures)) ++cell.successes;
-    for (std::size_t i = 0; i < plan.figures.size(); ++i) {
-      const auto found = result->figures.find(plan.arms[arm].prefix + plan.figures[i]);
-      if (found != result->figures.end()) cell.samples[i].push_back(found->second);
-    }
+    const Judgement judgement = success.of(result->figures);
+    cell.successes += judgement == Judgement::success;
+    cell.unjudged += judgement == Judgement::unjudged;
+    for (std::size_t i = 0; i < plan.figures.size(); ++i)
+      if (const auto value = valueOf(result->figures, plan.arms[arm].prefix + plan.figures[i]))
+        cell.samples[i].push_back(*value);
   }
   for (const auto& sample : cell.samples) cell.medians.push_back(medianOf(sample));
   return cell;

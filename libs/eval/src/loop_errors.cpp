@@ -121,10 +121,25 @@ LoopErrors loopErrors(const geometry::Trajectory& estimate, const geometry::Traj
   return errors;
 }
 
-bool correct(const LoopErrors& errors, const CorrectBounds& bounds) {
+const char* nameOf(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::correct:
+      return "correct";
+    case Verdict::wrong:
+      return "wrong";
+    case Verdict::no_loop:
+      return "no_loop";
+  }
+  return "";
+}
+
+Verdict verdictOf(const LoopErrors& errors, const CorrectBounds& bounds) {
   core::validateFields(bounds, "correct");
-  return errors.unmatched == 0 && errors.worst_translation.translation_m <= bounds.translation_m &&
-         errors.worst_heading.heading_deg <= bounds.heading_deg;
+  if (errors.closures.empty() && errors.unmatched == 0) return Verdict::no_loop;
+  const bool right = errors.unmatched == 0 &&
+                     errors.worst_translation.translation_m <= bounds.translation_m &&
+                     errors.worst_heading.heading_deg <= bounds.heading_deg;
+  return right ? Verdict::correct : Verdict::wrong;
 }
 
 }  // namespace ariadne::eval

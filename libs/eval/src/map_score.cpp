@@ -13,17 +13,6 @@ using grid::OccupancyGrid;
 using mrpt::math::TPoint2D;
 using mrpt::math::TPose2D;
 
-std::vector<TPoint2D> wallsOf(const OccupancyGrid& map) {
-  std::vector<TPoint2D> walls;
-  map.cells().forEachTile([&](int tx, int ty, const auto& tile) {
-    for (int y = 0; y < grid::kTileCells; ++y)
-      for (int x = 0; x < grid::kTileCells; ++x)
-        if (tile[static_cast<std::size_t>(y) * grid::kTileCells + x] < 0)
-          walls.push_back(map.centreOf({tx * grid::kTileCells + x, ty * grid::kTileCells + y}));
-  });
-  return walls;
-}
-
 /// All points within the tolerance of some given ones, to the cell.
 class Near {
  public:
@@ -52,19 +41,24 @@ class Near {
 
 }  // namespace
 
-MapScore mapScore(const OccupancyGrid& map, const OccupancyGrid& truth,
-                  const TPose2D& truth_from_map, double tolerance_m) {
-  std::vector<TPoint2D> walls = wallsOf(map);
-  const std::vector<TPoint2D> true_walls = wallsOf(truth);
+std::vector<TPoint2D> wallsOf(const OccupancyGrid& map) {
+  std::vector<TPoint2D> walls;
+  map.cells().forEachTile([&](int tx, int ty, const auto& tile) {
+    for (int y = 0; y < grid::kTileCells; ++y)
+      for (int x = 0; x < grid::kTileCells; ++x)
+        if (tile[static_cast<std::size_t>(y) * grid::kTileCells + x] < 0)
+          walls.push_back(map.centreOf({tx * grid::kTileCells + x, ty * grid::kTileCells + y}));
+  });
+  return walls;
+}
+
+MapScore mapScore(const std::vector<TPoint2D>& walls, const std::vector<TPoint2D>& true_walls,
+                  const TPose2D& truth_from_map, double tolerance_m, double cell_m) {
   MapScore score;
   if (walls.empty() || true_walls.empty()) return score;
-  for (TPoint2D& p : walls) {
-    const TPose2D moved = geometry::compose(truth_from_map, {p.x, p.y, 0});
-    p = {moved.x, moved.y};
-  }
-  const double cell_m = truth.resolution();
-  score.precision = Near(true_walls, tolerance_m, cell_m).shareOf(walls);
-  score.recall = Near(walls, tolerance_m, cell_m).shareOf(true_walls);
+  const std::vector<TPoint2D> placed = geometry::placed(truth_from_map, walls);
+  score.precision = Near(true_walls, tolerance_m, cell_m).shareOf(placed);
+  score.recall = Near(placed, tolerance_m, cell_m).shareOf(true_walls);
   const double sum = score.precision + score.recall;
   if (sum > 0) score.f1 = 2 * score.precision * score.recall / sum;
   return score;

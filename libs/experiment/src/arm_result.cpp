@@ -25,12 +25,13 @@ ArmResult armResultOf(const slam::Mapper& mapper, const geometry::Trajectory& tr
   for (std::size_t i = 0; i < mapper.particles().size(); ++i) {
     const geometry::Trajectory path = mapper.pathOf(i);
     const eval::LoopErrors errors = eval::loopErrors(path, truth, 0);
-    const bool right = eval::correct(errors, bounds);
+    const bool right = eval::verdictOf(errors, bounds) == eval::Verdict::correct;
     arm.exists |= right;
     arm.correct_weight += right ? weights[i] : 0;
     arm.best_translation_m =
         std::min(arm.best_translation_m, errors.worst_translation.translation_m);
     if (i != best) continue;
+    arm.true_closures = errors.closures.size() + errors.unmatched;
     arm.chosen = right;
     arm.worst_translation_m = errors.worst_translation.translation_m;
     arm.worst_heading_deg = errors.worst_heading.heading_deg;

@@ -7,12 +7,15 @@ void addArm(RunFigures& figures, const std::string& name, const ArmResult& arm) 
   const auto add = [&](const char* figure, double value) {
     figures.emplace_back(name + "_" + figure, value);
   };
-  add("exists", arm.exists);
-  add("chosen", arm.chosen);
-  add("correct_weight", arm.correct_weight);
-  add("translation_m", arm.worst_translation_m);
-  add("heading_deg", arm.worst_heading_deg);
-  add("best_translation_m", arm.best_translation_m);
+  const auto addOfLoops = [&](const char* figure, double value) {
+    add(figure, arm.true_closures > 0 ? value : kNone);
+  };
+  addOfLoops("exists", arm.exists);
+  addOfLoops("chosen", arm.chosen);
+  addOfLoops("correct_weight", arm.correct_weight);
+  addOfLoops("translation_m", arm.worst_translation_m);
+  addOfLoops("heading_deg", arm.worst_heading_deg);
+  addOfLoops("best_translation_m", arm.best_translation_m);
   add("ate_m", arm.ate_m);
 }
 
@@ -42,6 +45,7 @@ RunFigures figuresOf(const LoopRunResult& result) {
   RunFigures figures;
   addArm(figures, "recovered", result.recovered);
   addArm(figures, "standard", result.standard);
+  figures.emplace_back("true_closures", result.standard.true_closures);
   figures.emplace_back("closings", result.closings);
   figures.emplace_back("recoveries", result.recoveries);
   if (result.inner) addInner(figures, *result.inner);
@@ -53,6 +57,7 @@ RunFigures figuresOf(const OracleResult& result) {
   addArm(figures, "oracle", result.oracle);
   addArm(figures, "recovered", result.recovered);
   addArm(figures, "standard", result.standard);
+  figures.emplace_back("true_closures", result.standard.true_closures);
   figures.emplace_back("recovered_kl_nats", result.kl_recovered_nats);
   figures.emplace_back("standard_kl_nats", result.kl_standard_nats);
   return figures;

@@ -1,12 +1,9 @@
 #include "ariadne/mission/coverage.h"
 
-#include <cmath>
-#include <optional>
-
 #include "ariadne/core/error.h"
-#include "ariadne/geometry/pose.h"
 #include "ariadne/mission/reachable.h"
 #include "ariadne/sim/robot.h"
+#include "ariadne/sim/walls.h"
 
 namespace ariadne::mission {
 namespace {
@@ -41,19 +38,10 @@ OccupancyGrid seeable(const sim::World& world, const TPose2D& start, const sim::
 
 OccupancyGrid sighted(const std::vector<models::SensorStep>& steps,
                       const geometry::Trajectory& truth, double resolution_m) {
-  constexpr double kMoved_m = 0.2;
-  constexpr double kTurned = 0.17;
   OccupancyGrid out(paramsFor(resolution_m, 30));
-  std::optional<TPose2D> before;
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    const TPose2D& pose = truth[i].pose;
-    if (before) {
-      const TPose2D moved = geometry::relativePose(*before, pose);
-      if (std::hypot(moved.x, moved.y) < kMoved_m && std::abs(moved.phi) < kTurned) continue;
-    }
-    before = pose;
+  for (const std::size_t i : sim::keyMoments(truth)) {
     const auto grid = paramsFor(resolution_m, steps[i].scan->maxRange);
-    out.insert(grid::makeScanShape(*steps[i].scan, grid), pose);
+    out.insert(grid::makeScanShape(*steps[i].scan, grid), truth[i].pose);
   }
   return out;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ariadne/sim/collision.h"
+#include "laser.h"
 
 namespace ariadne::sim {
 namespace {
@@ -43,17 +44,8 @@ bool Robot::moveUntil(double time_s, const models::VelocityCommand& command) {
 }
 
 mrpt::obs::CObservation2DRangeScan::Ptr Robot::scan() const {
-  auto scan = mrpt::obs::CObservation2DRangeScan::Create();
-  scan->sensorLabel = "laser";
+  auto scan = scanFrom(world_, pose(), params_);
   scan->timestamp = mrpt::Clock::fromDouble(time_s_ + 2e-8);  // it cuts off after 1e-7
-  scan->aperture = static_cast<float>(params_.field_of_view_deg * M_PI / 180);
-  scan->rightToLeft = true;
-  scan->maxRange = static_cast<float>(params_.max_range_m);
-  world_.map.laserScanSimulator(*scan, mrpt::poses::CPose2D(pose()), 0.5F,
-                                static_cast<std::size_t>(params_.beams));
-  // MRPT 2.5.8 gives a beam without return 0.8 of the maximum range.
-  for (std::size_t i = 0; i < scan->getScanSize(); ++i)
-    if (!scan->getScanRangeValidity(i)) scan->setScanRange(i, scan->maxRange);
   return scan;
 }
 

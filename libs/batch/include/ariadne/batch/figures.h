@@ -8,8 +8,9 @@
 
 namespace ariadne::batch {
 
-/// Numbers and truth values of a summary.json by their path, as `costs.cpu_s`; lists, texts and
-/// `parameters` are left out. Throws core::Error that calls the text `name` when it is no JSON.
+/// Numbers and truth values of a summary.json by their path, as `costs.cpu_s`; a null is NaN;
+/// lists, texts and `parameters` are left out. Throws core::Error that calls the text `name` when
+/// it is no JSON.
 Figures figuresOfSummary(const std::string& json, const std::string& name);
 
 /// Of a finished run in its folder, with ate_rmse_m of its trajectory.tum (after alignment) where

@@ -17,6 +17,7 @@ struct RunResult {
   Figures figures;
 };
 
+/// NaN is null in it.
 std::string resultText(const RunResult& result);
 /// Throws core::Error that calls the file `name` when the text is no result.
 RunResult parseResult(const std::string& text, const std::string& name);

@@ -1,6 +1,7 @@
 // When a run counts as a success, by its figures.
 #pragma once
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,8 +9,18 @@
 
 namespace ariadne::batch {
 
-/// Figures of a run by name, as `costs.cpu_s`; true is 1.
+/// Figures of a run by name, as `costs.cpu_s`; true is 1. NaN: the program says that this run has
+/// none (null in its summary.json).
 using Figures = std::map<std::string, double>;
+
+/// Nothing for a figure that is not there or NaN.
+std::optional<double> valueOf(const Figures& figures, const std::string& name);
+
+enum class Judgement {
+  success,
+  no_success,
+  unjudged  ///< the figure is NaN: there was nothing to judge this run by
+};
 
 /// One figure against a bound: "correct" (not 0), "ate_rmse_m <= 0.5".
 struct Success {
@@ -18,7 +29,7 @@ struct Success {
   double bound = 0;
 
   /// A run without the figure is no success.
-  bool of(const Figures& figures) const;
+  Judgement of(const Figures& figures) const;
   std::string text() const;
 };
 

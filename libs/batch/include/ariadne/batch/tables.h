@@ -12,7 +12,7 @@
 
 namespace ariadne::batch {
 
-/// Seeds on which both arms have a figure, by which of them was a success.
+/// Seeds on which both arms were judged, by which of them was a success.
 struct Pairs {
   std::size_t only_first = 0;  ///< the experiment's first arm
   std::size_t only_this = 0;
@@ -27,6 +27,7 @@ struct Cell {
   std::size_t planned = 0;
   std::size_t finished = 0;  ///< with figures
   std::size_t failed = 0;    ///< without: crashed, hung, killed
+  std::size_t unjudged = 0;  ///< of the finished: neither success nor failure of one
   std::size_t successes = 0;
   std::vector<std::vector<double>> samples;    ///< of Plan::figures, of the runs that have it
   std::vector<std::optional<double>> medians;  ///< of those
@@ -34,6 +35,8 @@ struct Cell {
   /// seeds that have both and where that is not 0. Not of the first arm.
   std::vector<std::vector<double>> changes;
   std::optional<Pairs> pairs;  ///< not of the first arm
+
+  std::size_t judged() const { return finished - unjudged; }
 };
 
 /// Nothing of no values.

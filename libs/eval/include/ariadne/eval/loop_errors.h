@@ -62,8 +62,17 @@ struct LoopErrors {
 LoopErrors loopErrors(const geometry::Trajectory& estimate, const geometry::Trajectory& truth,
                       double max_gap_s, const LoopParams& params = {});
 
-/// True when no true closure is unmatched and none is over a bound. A path without a loop is
-/// correct: see LoopErrors::closures whether it had any.
-bool correct(const LoopErrors& errors, const CorrectBounds& bounds = {});
+/// What the true loop closures say of a run.
+enum class Verdict {
+  correct,  ///< none is unmatched and none is over a bound
+  wrong,
+  no_loop  ///< the true path has none: nothing to judge the run by
+};
+
+/// "correct", "wrong", "no_loop".
+const char* nameOf(Verdict verdict);
+
+/// Throws core::UsageError for bounds that are out of theirs.
+Verdict verdictOf(const LoopErrors& errors, const CorrectBounds& bounds = {});
 
 }  // namespace ariadne::eval

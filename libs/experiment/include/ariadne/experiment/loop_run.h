@@ -13,6 +13,7 @@ namespace ariadne::experiment {
 
 /// How one arm ended.
 struct ArmResult {
+  std::size_t true_closures = 0;   ///< none: nothing but ate_m says anything
   bool exists = false;             ///< some particle is correct
   bool chosen = false;             ///< s* is correct
   double correct_weight = 0;       ///< of the correct particles together
