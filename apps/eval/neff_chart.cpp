@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ariadne/charts/curves.h"
 #include "ariadne/geometry/pose.h"
-#include "ariadne/report/curves.h"
 #include "ariadne/slam/mapper.h"
 
 namespace ariadne::eval_app {
@@ -21,9 +21,9 @@ std::vector<double> travelledAlong(const geometry::Trajectory& truth) {
   return travelled_m;
 }
 
-report::Curve neffOf(const std::string& name, const slam::SlamParams& params,
+charts::Curve neffOf(const std::string& name, const slam::SlamParams& params,
                      const sim::SimulatedDrive& drive, const std::vector<double>& travelled_m) {
-  report::Curve curve{name, {}, {}};
+  charts::Curve curve{name, {}, {}};
   slam::Mapper mapper(params, 1);
   for (std::size_t i = 0; i < drive.steps.size(); ++i)
     if (const auto report = mapper.process(drive.steps[i])) {
@@ -39,7 +39,7 @@ void writeNeffChart(const std::filesystem::path& file, const experiment::LoopCon
                     const sim::TruthDrive& truth, std::uint64_t seed) {
   const sim::SimulatedDrive drive = sim::observe(truth, config.sim.noise, seed);
   const std::vector<double> travelled_m = travelledAlong(drive.truth);
-  report::CurveChart chart{"Neff before resampling", "distance, m", "Neff", {}, {}};
+  charts::CurveChart chart{"Neff before resampling", "distance, m", "Neff", {}, {}};
   slam::SlamParams params = config.slam;
   params.filter.seed = seed;
   params.recovery.enabled = false;
@@ -55,7 +55,7 @@ void writeNeffChart(const std::filesystem::path& file, const experiment::LoopCon
     const auto i = std::min<std::size_t>(at - drive.truth.begin(), travelled_m.size() - 1);
     chart.moments.push_back({m.name, travelled_m[i]});
   }
-  report::writeCurves(file, chart);
+  charts::writeCurves(file, chart);
 }
 
 }  // namespace ariadne::eval_app

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ariadne/charts/curves.h"
 #include "ariadne/core/error.h"
 #include "ariadne/eval/interval.h"
 #include "ariadne/experiment/neff_fall.h"
 #include "ariadne/io/tum.h"
-#include "ariadne/report/curves.h"
 
 namespace ariadne::eval_app {
 namespace {
@@ -31,13 +31,13 @@ Runs readRuns(const std::vector<std::string>& files, const std::vector<eval::Pat
 }
 
 /// Fall since the start at each metre, mean of the runs.
-report::Curve fallOf(const std::string& name, const Runs& runs, double length_m) {
+charts::Curve fallOf(const std::string& name, const Runs& runs, double length_m) {
   std::vector<double> fall(static_cast<std::size_t>(length_m) + 2, 0.0);
   for (const auto& run : runs)
     for (const NeffChange& c : run)
       fall[static_cast<std::size_t>(std::ceil(c.travelled_m))] -=
           c.ln_change / static_cast<double>(runs.size());
-  report::Curve curve{name, {}, {}};
+  charts::Curve curve{name, {}, {}};
   double sum = 0;
   for (std::size_t m = 0; m < fall.size(); ++m) {
     sum += fall[m];
@@ -48,8 +48,8 @@ report::Curve fallOf(const std::string& name, const Runs& runs, double length_m)
 }
 
 /// Grey where the path was before, darker with each pass.
-std::vector<report::Band> bandsOf(const std::vector<eval::PathPoint>& truth) {
-  std::vector<report::Band> bands;
+std::vector<charts::Band> bandsOf(const std::vector<eval::PathPoint>& truth) {
+  std::vector<charts::Band> bands;
   std::size_t passes = 0;
   for (const eval::PathPoint& p : truth) {
     if (p.passes > 0 && p.passes == passes)
@@ -115,7 +115,7 @@ std::string neffOfLog(const std::filesystem::path& png, const std::filesystem::p
   const Runs plain_runs = readRuns(plain, truth);
   const Runs revisit_runs = readRuns(revisit, truth);
   const double length_m = truth.back().travelled_m;
-  report::writeCurves(png, {"Fall of ln Neff, resampling taken out",
+  charts::writeCurves(png, {"Fall of ln Neff, resampling taken out",
                             "distance, m (grey: driven before, the darker the more often)",
                             "nats",
                             {fallOf("plain weights", plain_runs, length_m),

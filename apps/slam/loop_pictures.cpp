@@ -4,16 +4,16 @@
 
 #include <algorithm>
 
+#include "ariadne/charts/curves.h"
 #include "ariadne/eval/ancestry_measures.h"
-#include "ariadne/report/curves.h"
 #include "ariadne/report/topology.h"
 
 namespace ariadne::slam_app {
 namespace {
 
-report::Curve coalescence(const std::string& name, const std::vector<filter::AncestorPtr>& leaves,
+charts::Curve coalescence(const std::string& name, const std::vector<filter::AncestorPtr>& leaves,
                           std::size_t updates) {
-  report::Curve curve;
+  charts::Curve curve;
   curve.name = name;
   const auto unique = eval::uniqueAncestors(leaves, updates);
   for (std::size_t k = 0; k < unique.size(); ++k) {
@@ -25,7 +25,7 @@ report::Curve coalescence(const std::string& name, const std::vector<filter::Anc
 
 /// What there was just before the recovery (and would have been left without it), dashed, and just
 /// after, in one colour.
-void addRecovery(report::CurveChart& chart, const slam::ClosingRecord& c) {
+void addRecovery(charts::CurveChart& chart, const slam::ClosingRecord& c) {
   const slam::RecoveryRecord& r = *c.recovery;
   const std::size_t colour = chart.curves.size() / 2 + 1;
   const auto add = [&](const char* when, const std::vector<filter::AncestorPtr>& leaves) {
@@ -64,7 +64,7 @@ void writeTopologyPicture(const std::filesystem::path& file, const slam::Mapper&
 }
 
 void writeCoalescencePicture(const std::filesystem::path& file, const slam::Mapper& mapper) {
-  report::CurveChart chart;
+  charts::CurveChart chart;
   chart.title = "Unique ancestors of the particle set";
   chart.x_label = "filter update";
   chart.y_label = "ancestors at that update";
@@ -74,7 +74,7 @@ void writeCoalescencePicture(const std::filesystem::path& file, const slam::Mapp
   chart.curves.push_back(coalescence("of the final set", leaves, mapper.updates()));
   for (const slam::ClosingRecord& c : mapper.closings())
     if (c.recovery) addRecovery(chart, c);
-  report::writeCurves(file, chart);
+  charts::writeCurves(file, chart);
 }
 
 }  // namespace ariadne::slam_app

@@ -6,10 +6,15 @@
 #include <cmath>
 #include <limits>
 
-#include "gnuplot_text.h"
+#include "ariadne/charts/gnuplot_text.h"
 
 namespace ariadne::batch {
 namespace {
+
+using charts::inQuotes;
+using charts::lettersOf;
+using charts::shortened;
+using charts::tick;
 
 /// The factor's values where there is room for each, else round numbers.
 std::string numberTicks(const Plot& plot) {

@@ -5,16 +5,12 @@
 #include <algorithm>
 #include <iterator>
 
-#include "gnuplot_text.h"
+#include "ariadne/charts/gnuplot_text.h"
 #include "plot_axes.h"
 
 namespace ariadne::batch {
 namespace {
 
-/// Okabe and Ito's colours, told apart by the colour-blind too; without black, the axes' colour,
-/// and yellow, which is hard to see on white.
-constexpr const char* kColours[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
-                                    "#E69F00", "#56B4E9", "#808080"};
 /// Filled circle, square, triangle, diamond; one more or less than colours, so that pairs differ.
 constexpr int kMarks[] = {7, 5, 9, 13, 11, 15};
 
@@ -57,11 +53,11 @@ std::string curvesOf(const Plot& plot) {
   std::string text = "plot ";
   for (std::size_t s = 0; s < plot.series.size(); ++s) {
     if (plot.series[s].points.empty()) continue;
-    text +=
-        fmt::format("{}$d{} using 1:2:3:4 with {} lc rgb '{}' pt {} title {}",
-                    text == "plot " ? "" : ", ", s, isUpright(plot) ? "yerrorlines" : "xerrorbars",
-                    kColours[s % std::size(kColours)], kMarks[s % std::size(kMarks)],
-                    hasLegend(plot) ? inQuotes(shortened(plot.series[s].name)) : "''");
+    text += fmt::format(
+        "{}$d{} using 1:2:3:4 with {} lc rgb '{}' pt {} title {}", text == "plot " ? "" : ", ", s,
+        isUpright(plot) ? "yerrorlines" : "xerrorbars", charts::colourOf(s),
+        kMarks[s % std::size(kMarks)],
+        hasLegend(plot) ? charts::inQuotes(charts::shortened(plot.series[s].name)) : "''");
   }
   return text + "\n";
 }
@@ -80,15 +76,15 @@ std::string scriptOf(const Plot& plot, const std::filesystem::path& folder) {
                      "set grid xtics ytics lc rgb '#b4b4b4' lw 0.5 dt 1\n"
                      "set bars 0.6\nset key outside above center horizontal Left reverse\n" +
                      axesOf(plot);
-  if (!plot.panel.empty()) text += "set title " + inQuotes(plot.panel) + "\n";
+  if (!plot.panel.empty()) text += "set title " + charts::inQuotes(plot.panel) + "\n";
   const auto output = [&](const char* end) {
-    return "set output " + inQuotes((folder / (plot.name + end)).string()) + "\n";
+    return "set output " + charts::inQuotes((folder / (plot.name + end)).string()) + "\n";
   };
   // An SVG is named so that the parts of several may stand on one page.
   text += fmt::format(
       "set terminal svg size {},{} fixed font 'sans-serif,14' linewidth 1.4 noenhanced "
       "background '#ffffff' name {}\n",
-      width, height, inQuotes(plot.name));
+      width, height, charts::inQuotes(plot.name));
   text += output(".svg") + curvesOf(plot);
   text += fmt::format(
       "set terminal pngcairo size {},{} font 'sans,11' fontscale 2 linewidth 2.4 pointscale 2 "
@@ -100,7 +96,7 @@ std::string scriptOf(const Plot& plot, const std::filesystem::path& folder) {
 }  // namespace
 
 std::string gnuplotScript(const std::vector<Plot>& plots, const std::filesystem::path& folder) {
-  std::string text = "set encoding utf8\n";
+  std::string text;
   for (const Plot& plot : plots) text += scriptOf(plot, folder);
   return text;
 }

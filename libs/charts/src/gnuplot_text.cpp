@@ -1,10 +1,11 @@
-#include "gnuplot_text.h"
+#include "ariadne/charts/gnuplot_text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
-namespace ariadne::batch {
+namespace ariadne::charts {
 namespace {
 
 /// UTF-8's later bytes.
@@ -41,4 +42,10 @@ std::string tick(const std::string& label, double at) {
   return fmt::format("{} {:.10g}", inQuotes(text), at);
 }
 
-}  // namespace ariadne::batch
+const char* colourOf(std::size_t i) {
+  constexpr std::array<const char*, 7> colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                               "#E69F00", "#56B4E9", "#808080"};
+  return colours[i % colours.size()];
+}
+
+}  // namespace ariadne::charts

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-namespace ariadne::report {
+namespace ariadne::charts {
 
 struct Curve {
   std::string name;
   std::vector<double> x;
   std::vector<double> y;
-  std::optional<std::size_t> colour = std::nullopt;  ///< of six; none: by its place in the chart
+  std::optional<std::size_t> colour = std::nullopt;  ///< see colourOf(); none: by its place
   bool dashed = false;
 };
 
@@ -41,4 +41,4 @@ struct CurveChart {
 /// first curve lies on top; names are below. Throws core::Error naming the file.
 void writeCurves(const std::filesystem::path& file, const CurveChart& chart);
 
-}  // namespace ariadne::report
+}  // namespace ariadne::charts
