@@ -16,7 +16,8 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 # LTO and hardening are Debian's matter; what a program links is found out by dpkg-shlibdeps.
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME ariadne-slam)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS "gnuplot-nox, mrpt-common")
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_DEPENDS "gnuplot-nox")
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS "mrpt-common")
 set(CPACK_DEBIAN_PROGRAMS_DESCRIPTION "${PROJECT_DESCRIPTION}
 Maps logs of a laser scanner and odometry, explores simulated buildings, and
 compares runs. Reads MRPT rawlogs, CARMEN logs and ROS recordings, writes what

@@ -53,7 +53,7 @@ std::string timePanel(const TruthResult& r) {
       "plot $pairs using 1:6 with lines lw 1.5 lc rgb '{}' title 'distance', {:.6g} "
       "with lines lw 1.5 dt 2 lc rgb '{}' title 'RMSE'\n",
       std::max(r.pairs.back().time_s - r.pairs.front().time_s, 1e-3),
-      std::max(1.1 * r.absolute_m.max, 1e-6), charts::colourOf(0), r.absolute_m.rmse,
+      std::max(1.25 * r.absolute_m.max, 1e-6), charts::colourOf(0), r.absolute_m.rmse,
       charts::colourOf(1));
 }
 

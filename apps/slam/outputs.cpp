@@ -6,6 +6,7 @@
 #include <chrono>
 #include <ostream>
 
+#include "ariadne/charts/gnuplot.h"
 #include "ariadne/core/error.h"
 #include "ariadne/io/ini_writer.h"
 #include "ariadne/io/map_files.h"
@@ -158,6 +159,8 @@ void writeOutputs(const fs::path& folder, const std::vector<Output>& outputs,
       write();
       written.insert(written.end(), names.begin(), names.end());
       fmt::print(out, "  {:<18} {}\n", fmt::format("{}", fmt::join(names, ", ")), purpose);
+    } catch (const charts::GnuplotMissing& e) {  // the run has all its numbers
+      fmt::print(out, "  {:<18} left out: {}\n", names.front(), e.what());
     } catch (const std::exception& e) {
       problems.emplace_back(e.what());
     }

@@ -2,6 +2,7 @@
 // smaller one beside it. c1 and c2 are made to fit its 40 m; the log ends within the outer ring.
 #include <mrpt/img/CImage.h>
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "../shipped_datasets.h"
@@ -144,6 +145,17 @@ TEST_F(SlamLoops, CoalescenceShowsTheRecovery) {
   };
   EXPECT_EQ(orange({"recovery.enabled=false"}), 0U);
   EXPECT_GT(orange({}), 640U);
+}
+
+TEST_F(SlamLoops, WithoutGnuplotOneChartIsLeftOut) {
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", folder.c_str(), 1);
+  const int code = drive({});
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(code, 0) << err;
+  EXPECT_NE(out.find("left out: charts are drawn by gnuplot"), std::string::npos) << out;
+  EXPECT_FALSE(fs::exists(folder / "out" / "coalescence.png"));
+  EXPECT_EQ(written("summary.json").find("coalescence.png"), std::string::npos);
 }
 
 TEST_F(SlamLoops, WithoutRecoveryClosingsAreStillTold) {

@@ -18,7 +18,7 @@ constexpr double kLimit_s = 300;
 fs::path findGnuplot() {
   const fs::path program = process::findInPath("gnuplot");
   if (program.empty())
-    throw core::Error("charts are drawn by gnuplot, which is missing: install gnuplot-nox");
+    throw GnuplotMissing("charts are drawn by gnuplot, which is missing: install gnuplot-nox");
   return program;
 }
 
