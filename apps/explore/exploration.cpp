@@ -128,16 +128,20 @@ void measure(ExplorationResult& result, const mission::Mission& mission, const s
   slam_app::RunResult& mapping = result.mapping;
   mapping.truth = slam_app::fitTruth(mapping.path, result.mission.truth);
   const auto truth_from_map = geometry::relativePose(mapping.truth->map_from_truth, {0, 0, 0});
+  const double tolerance_m = result.config.map_score.tolerance_m;
   const auto walls = eval::wallsOf(mapOf(mission.mapper()));
   const auto scoreAgainst = [&](const std::vector<mrpt::math::TPoint2D>& true_walls,
                                 double cell_m) {
-    return eval::mapScore(walls, true_walls, truth_from_map, kMapTolerance_m, cell_m);
+    return eval::mapScore(walls, true_walls, truth_from_map, tolerance_m, cell_m);
   };
   result.score = scoreAgainst(sim::wallsHit(world, result.mission.truth, params.sim.drive),
                               world.map.getResolution());
   result.score_by_grid = scoreAgainst(eval::wallsOf(truth), resolution_m);
   result.loop_errors = eval::loopErrors(mapping.path, result.mission.truth, 0);
-  result.verdict = eval::verdictOf(result.loop_errors, result.config.correct);
+  result.loops = eval::verdictOf(result.loop_errors, result.config.correct);
+  const bool bent = result.loops == eval::Verdict::correct &&
+                    result.score.f1 < result.config.map_score.right_from;
+  result.verdict = bent ? "bent" : eval::nameOf(result.loops);
 }
 
 }  // namespace ariadne::explore_app

@@ -17,14 +17,12 @@ struct ExplorationResult {
   double decisions_s = 0;        ///< CPU time of all decisions
   slam_app::RunResult mapping;   ///< of the drive, as ariadne-slam has it
   double coverage = 0;           ///< mission::coverage()
-  eval::MapScore score;          ///< against the world's walls, within kMapTolerance_m
+  eval::MapScore score;          ///< against the world's walls, by [map_score]
   eval::MapScore score_by_grid;  ///< against the walls of a grid of all that can be seen
   eval::LoopErrors loop_errors;  ///< across the true loop closures
-  eval::Verdict verdict = eval::Verdict::no_loop;  ///< of these by [correct]
+  eval::Verdict loops = eval::Verdict::no_loop;  ///< of these by [correct]
+  std::string verdict;  ///< correct; bent: the loops are, the walls are not; wrong; no_loop
 };
-
-/// Walls count as right so near to a true one, m: somewhat more than a correct map is off.
-constexpr double kMapTolerance_m = 0.25;
 
 /// Runs the mission until it ends or a signal comes. What the truth says is still missing.
 ExplorationResult carryOut(mission::Mission& mission, const ExploreConfig& config,

@@ -33,8 +33,9 @@ ariadne-slam ([parameters.md](parameters.md)). [explore] strategy sets [loop_clo
 )";
 
 std::string toldOf(const ExplorationResult& r) {
-  if (r.verdict == eval::Verdict::no_loop) return "no true loop to judge it by";
-  if (r.verdict == eval::Verdict::correct) return "every true loop is closed right";
+  if (r.loops == eval::Verdict::no_loop) return "no true loop to judge it by";
+  if (r.verdict == "bent") return "bent: every true loop is closed right, but walls are off";
+  if (r.loops == eval::Verdict::correct) return "every true loop is closed right";
   return fmt::format("wrong: a loop is off by {:.2f} m, {:.0f} degrees",
                      r.loop_errors.worst_translation.translation_m,
                      r.loop_errors.worst_heading.heading_deg);

@@ -28,10 +28,25 @@ void visitFields(V& v, WorldParams& p) {
          "world says, else a place drawn from the seed");
 }
 
+/// How a map's walls are held against the world's, and from which score on they are right.
+struct MapScoreParams {
+  double tolerance_m = 0.25;
+  double right_from = 0.93;
+};
+
+template <class V>
+void visitFields(V& v, MapScoreParams& p) {
+  v.number("tolerance_m", p.tolerance_m, {0.01, 10},
+           "a wall of the map this near to a wall of the world is right");
+  v.number("right_from", p.right_from, {0, 1},
+           "least map_score of a correct run: one under it whose loops are closed right is bent");
+}
+
 struct ExploreConfig {
   WorldParams world;
   app::RunParams run;
   eval::CorrectBounds correct;
+  MapScoreParams map_score;
   mission::MissionParams mission;
 };
 
@@ -40,6 +55,7 @@ void forEachSection(Config& config, F&& f) {
   f("world", config.world);
   f("run", config.run);
   f("correct", config.correct);
+  f("map_score", config.map_score);
   mission::forEachSection(config.mission, f);
 }
 

@@ -39,7 +39,7 @@ std::size_t followed(const std::vector<explore::Decision>& decisions) {
 /// What the true loop closures tell; null where there is none.
 template <class T>
 nlohmann::ordered_json ofLoops(const ExplorationResult& r, T value) {
-  if (r.verdict == eval::Verdict::no_loop) return nullptr;
+  if (r.loops == eval::Verdict::no_loop) return nullptr;
   return value;
 }
 
@@ -53,8 +53,9 @@ nlohmann::ordered_json explorationOf(const ExplorationResult& r) {
           {"map_precision", r.score.precision},
           {"map_recall", r.score.recall},
           {"map_score_by_grid", r.score_by_grid.f1},
-          {"verdict", eval::nameOf(r.verdict)},
-          {"correct", ofLoops(r, r.verdict == eval::Verdict::correct)},
+          {"verdict", r.verdict},
+          {"correct", ofLoops(r, r.verdict == "correct")},
+          {"closures_correct", ofLoops(r, r.loops == eval::Verdict::correct)},
           {"true_closures", r.loop_errors.closures.size()},
           {"worst_closure_error_m", ofLoops(r, r.loop_errors.worst_translation.translation_m)},
           {"worst_closure_error_deg", ofLoops(r, r.loop_errors.worst_heading.heading_deg)},
@@ -131,8 +132,8 @@ report::Replay replayOf(report::ReplayRecorder& recorder, const slam::Mapper& ma
   fact("End", result.mission.end_reason);
   fact("Coverage", fmt::format("{:.1f} %", 100 * result.coverage));
   fact("Map score", fmt::format("{:.3f}", result.score.f1));
-  fact("Map", result.verdict == eval::Verdict::no_loop ? "no true loop to judge it by"
-                                                       : eval::nameOf(result.verdict));
+  fact("Map",
+       result.loops == eval::Verdict::no_loop ? "no true loop to judge it by" : result.verdict);
   fact("Collisions", fmt::format("{}", result.mission.collisions.size()));
   return replay;
 }

@@ -144,12 +144,27 @@ TEST_F(ExploreApp, TruthIsWhereTheRobotStarted) {
   EXPECT_EQ(json("a", "summary.json")["end_reason"], "max_distance_m is driven");
 }
 
+TEST_F(ExploreApp, AMapWhoseWallsAreOffIsBentThoughItsLoopsAreClosed) {
+  // Half a cell: as if the walls were off by more than they may be.
+  ASSERT_EQ(
+      explore("a", {"--particles", "10", "--no-pictures", "--set", "map_score.tolerance_m=0.05"}),
+      0)
+      << err;
+  const auto summary = json("a", "summary.json");
+  EXPECT_LT(summary["map_score"].get<double>(), 0.93);
+  EXPECT_EQ(summary["verdict"], "bent");
+  EXPECT_FALSE(summary["correct"].get<bool>());
+  EXPECT_TRUE(summary["closures_correct"].get<bool>());
+  EXPECT_NE(out.find("bent: "), std::string::npos) << out;
+}
+
 TEST_F(ExploreApp, ADriveWithoutALoopIsNotCalledCorrect) {
   ASSERT_EQ(explore("a", {"--no-pictures", "--set", "explore.max_distance_m=5"}), 0) << err;
   const auto summary = json("a", "summary.json");
   EXPECT_EQ(summary["verdict"], "no_loop");
   EXPECT_EQ(summary["true_closures"], 0);
-  for (const char* none : {"correct", "worst_closure_error_m", "worst_closure_error_deg"})
+  for (const char* none :
+       {"correct", "closures_correct", "worst_closure_error_m", "worst_closure_error_deg"})
     EXPECT_TRUE(summary[none].is_null()) << none;
   EXPECT_NE(out.find("no true loop to judge it by"), std::string::npos) << out;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ariadne/eval/alignment.h"
+#include "ariadne/eval/loop_errors.h"
 #include "ariadne/eval/map_score.h"
 #include "ariadne/geometry/pose.h"
 #include "ariadne/mission/coverage.h"
@@ -103,4 +104,12 @@ TEST(MapAgainstWorld, ABentMapIsNotRight) {
   EXPECT_GT(in_ring.score(in_ring.bent(0.1)).f1, 0.99);
   EXPECT_LT(in_ring.score(in_ring.bent(0.5)).f1, 0.93);
   EXPECT_LT(in_ring.score(in_ring.bent(0.7)).f1, 0.75);
+}
+
+// The true closures lie where both ends are right: they say nothing of what was bent in between.
+TEST(MapAgainstWorld, ClosuresAloneCallABentMapCorrect) {
+  const Driven drive(ring(), kRoundTheRing);
+  const auto errors = eval::loopErrors(drive.bent(0.5), drive.seen.truth, 0);
+  EXPECT_GT(errors.closures.size(), 5U);
+  EXPECT_EQ(eval::verdictOf(errors), eval::Verdict::correct);
 }
