@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "ariadne/core/random.h"
 #include "ariadne/eval/kl_divergence.h"
 #include "ariadne/slam/mapper.h"
 #include "arm_result.h"
@@ -32,6 +33,15 @@ std::optional<FirstLoop> driveToTheEnd(const Steps& steps, const slam::SlamParam
   return loop;
 }
 
+/// Of the filter of a particle. With the suspended filter's own seed all of them would draw the
+/// same noise, and the oracle's set would be of fewer samples than it has.
+std::uint64_t seedOf(std::uint64_t seed, std::size_t te, std::size_t particle) {
+  core::RandomStream random(seed, static_cast<std::uint32_t>(te),
+                            static_cast<std::uint32_t>(particle), core::Purpose::fork);
+  const std::uint64_t high = random.bits();
+  return high << 32 | random.bits();
+}
+
 /// The suspended filter at te, each particle carried through the loop by a filter of its own.
 std::unique_ptr<slam::Mapper> oracleThrough(const Steps& steps, const slam::SlamParams& params,
                                             const FirstLoop& loop) {
@@ -42,7 +52,7 @@ std::unique_ptr<slam::Mapper> oracleThrough(const Steps& steps, const slam::Slam
   std::vector<std::unique_ptr<slam::Mapper>> own;
   for (std::size_t p = 0; p < weights.size(); ++p) {
     own.push_back(suspended->forkWithoutRecovery());
-    own.back()->collapseTo(p);
+    own.back()->collapseTo(p, seedOf(params.filter.seed, loop.te, p));
     for (std::size_t k = i; k < loop.next; ++k) own.back()->process(steps[k]);
   }
   auto gathered = own.front()->forkWithoutRecovery();

@@ -207,7 +207,10 @@ std::unique_ptr<Mapper> Mapper::forkWithoutRecovery() const {
   return other;
 }
 
-void Mapper::collapseTo(std::size_t particle) {
+void Mapper::collapseTo(std::size_t particle, std::uint64_t seed) {
+  impl_->params.filter.seed = seed;
+  impl_->particles.reseed(seed);
+  impl_->loops.reseed(seed);
   const std::size_t n = impl_->particles.size();
   const filter::Particle one = impl_->particles[particle];
   impl_->particles.replace(std::vector<filter::Particle>(n, one),

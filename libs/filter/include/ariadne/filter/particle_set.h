@@ -60,6 +60,9 @@ class ParticleSet
   /// @param weights one a particle, sum 1
   void replace(std::vector<Particle> particles, const std::vector<double>& weights);
 
+  /// What is drawn from now on comes from this seed.
+  void reseed(std::uint64_t seed) { models_.filter.seed = seed; }
+
   /// What was learned of the odometry so far.
   const models::MotionLearner& learned() const { return learner_; }
 

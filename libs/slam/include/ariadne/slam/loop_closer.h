@@ -49,6 +49,8 @@ class LoopCloser {
   std::vector<ClosingRecord> records() const;
   /// The open closings, the outermost first; until the next update.
   std::vector<const closing::Closing*> openClosings() const { return watcher_.allOpen(); }
+  /// What is drawn from now on comes from this seed.
+  void reseed(std::uint64_t seed) { params_.filter.seed = seed; }
   /// From now on closings end without recovery.
   void disableRecovery() { params_.recovery.enabled = false; }
 

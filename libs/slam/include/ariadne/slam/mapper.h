@@ -56,7 +56,9 @@ class Mapper {
   std::unique_ptr<Mapper> forkWithoutRecovery() const;
 
   /// All particles become copies of this one: a filter of its own for one hypothesis (the oracle).
-  void collapseTo(std::size_t particle);
+  /// @param seed what is drawn from now on comes from; not this filter's own, since forks of one
+  ///   seed draw the same noise
+  void collapseTo(std::size_t particle, std::uint64_t seed);
   /// The particles become the s* of the others, one each, with these weights (sum 1). The others
   /// must have processed the same steps, and be as many as the particles.
   void gatherBest(const std::vector<std::unique_ptr<Mapper>>& others,
