@@ -1,5 +1,5 @@
-# cmake -D IN=concepts.md -D OUT=glossary.js -P AriadneGlossary.cmake: the glossary's table as an object of JavaScript, so that
-# report.html explains words as the documents do.
+# cmake -D IN=concepts.md -D OUT=FILE -P AriadneGlossary.cmake: the glossary's table as an object of JavaScript (FILE.js) or as
+# pairs of strings of C++, so that pages explain words as the documents do.
 file(READ "${IN}" text)
 string(REGEX REPLACE "^.*\n## Glossary\n" "" text "${text}")
 string(REGEX REPLACE "\n## .*$" "\n" text "${text}")
@@ -8,7 +8,13 @@ string(REPLACE "\"" "\\\"" text "${text}")
 string(REPLACE "`" "" text "${text}")
 string(REGEX REPLACE "\\[([^]\n]*)\\]\\([^)\n]*\\)" "\\1" text "${text}")
 string(REGEX REPLACE "\n\\| term \\|[^\n]*\n\\|---[^\n]*" "" text "${text}")
-string(REGEX REPLACE "\n\\| ([^|\n]+) \\| ([^|\n]+) \\|" "\n  \"\\1\": \"\\2\"," text "${text}")
 string(REGEX REPLACE "\n+" "\n" text "${text}")
-file(WRITE "${OUT}.new" "const kGlossary = {${text}};\n")
+set(row "\n\\| ([^|\n]+) \\| ([^|\n]+) \\|")
+if(OUT MATCHES "[.]js$")
+  string(REGEX REPLACE "${row}" "\n  \"\\1\": \"\\2\"," text "${text}")
+  set(text "const kGlossary = {${text}};\n")
+else()
+  string(REGEX REPLACE "${row}" "\n{\"\\1\", \"\\2\"}," text "${text}")
+endif()
+file(WRITE "${OUT}.new" "${text}")
 file(RENAME "${OUT}.new" "${OUT}")

@@ -60,6 +60,10 @@ TEST_F(CompareApp, SetsBothSideBySide) {
        at = page.find("data:image/png;base64,iVBOR", at + 1))
     ++pictures;
   EXPECT_EQ(pictures, 2U);
+  EXPECT_NE(page.find("<span class=\"term\" title=\"effective number of particles"), page.npos)
+      << "no word is explained";
+  EXPECT_NE(page.find("<li>met: cpu_ratio &gt; 0 (it is "), page.npos);
+  EXPECT_EQ(page.find("{{"), page.npos) << "a part of the template is left empty";
   const std::string stock_ini = io::readWhole(folder / "c" / "stock.ini");
   for (const char* part : {"sampleSize", "localizeLinDistance", "maxDistanceInsertion"})
     EXPECT_NE(stock_ini.find(part), std::string::npos) << part;

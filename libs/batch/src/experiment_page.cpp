@@ -4,10 +4,11 @@
 
 #include "ariadne/batch/config_differences.h"
 #include "ariadne/batch/run_counts.h"
-#include "ariadne/io/html.h"
 #include "ariadne/io/whole_file.h"
+#include "ariadne/page/html.h"
+#include "ariadne/page/parts.h"
+#include "ariadne/page/style.h"
 #include "page_files.h"
-#include "page_parts.h"
 #include "page_plots.h"
 #include "page_runs.h"
 
@@ -35,28 +36,29 @@ std::string factsHtml(const Outcome& o) {
 
 std::string resultsHtml(const Outcome& o) {
   const TextTable table = tableOf(o.plan, o.cells, TableFormat::text);
-  BoundedList rows(kMostRows);
-  for (const auto& row : table.rows) rows.add(textRow(row));
-  std::string text = htmlTable("Results", table.header, rows.html()) +
-                     leftOutHtml(rows.leftOut(), "rows", "ariadne-experiment table");
+  page::BoundedList rows(kMostRows);
+  for (const auto& row : table.rows) rows.add(page::textRow(row));
+  std::string text = page::htmlTable("Results", table.header, rows.html()) +
+                     page::leftOutHtml(rows.leftOut(), "rows", "ariadne-experiment table");
   for (const std::string& note : table.notes)
-    text += fmt::format("<p class=\"notes\">{}</p>\n", io::escapedHtml(note));
+    text += fmt::format("<p class=\"notes\">{}</p>\n", page::escapedHtml(note));
   return text;
 }
 
 std::string differencesHtml(const Plan& plan, const Configs& configs) {
   const auto differences = differencesOf(plan, configs);
   if (differences.empty()) return "<p>In nothing that their INIs tell.</p>\n";
-  BoundedList rows(kMostRows);
+  page::BoundedList rows(kMostRows);
   for (const KeyDifference& d : differences) {
     std::vector<std::string> row = d.values;
     row.insert(row.begin(), d.key);
-    rows.add(textRow(row));
+    rows.add(page::textRow(row));
   }
   std::vector<std::string> header = {"key"};
   for (const PlannedArm& arm : plan.arms) header.push_back(arm.name);
-  return "<div class=\"differences\">" + htmlTable("In what the arms differ", header, rows.html()) +
-         "</div>\n" + leftOutHtml(rows.leftOut(), "keys", "the folder configs");
+  return "<div class=\"differences\">" +
+         page::htmlTable("In what the arms differ", header, rows.html()) + "</div>\n" +
+         page::leftOutHtml(rows.leftOut(), "keys", "the folder configs");
 }
 
 /// What a run has in common with those of other seeds: "laps 10, frontier".
@@ -74,19 +76,19 @@ std::string configsHtml(const Plan& plan, const Configs& configs) {
     if (text.empty()) order.push_back(run.config);
     text += (text.empty() ? "" : "; ") + withoutSeed(plan, run);
   }
-  BoundedList list(kMostConfigs);
+  page::BoundedList list(kMostConfigs);
   for (const std::string& hash : order)
-    list.add(
-        htmlDetails(users[hash], htmlListing("Resolved INI of " + users[hash], configs.at(hash))));
-  return list.html() + leftOutHtml(list.leftOut(), "INIs", "the folder configs");
+    list.add(page::htmlDetails(
+        users[hash], page::htmlListing("Resolved INI of " + users[hash], configs.at(hash))));
+  return list.html() + page::leftOutHtml(list.leftOut(), "INIs", "the folder configs");
 }
 
 std::string iniHtml(const std::string& text) {
   if (text.empty())
     return "<p>It is not in plan.json, which an earlier version made: run notes it.</p>\n";
-  BoundedList list(kMostRows);
-  list.add(htmlListing("The experiment's INI", text));
-  return list.html() + leftOutHtml(list.leftOut(), "listing", "plan.json");
+  page::BoundedList list(kMostRows);
+  list.add(page::htmlListing("The experiment's INI", text));
+  return list.html() + page::leftOutHtml(list.leftOut(), "listing", "plan.json");
 }
 
 Configs configsOf(const Plan& plan, const Store& store) {
@@ -101,9 +103,9 @@ Configs configsOf(const Plan& plan, const Store& store) {
 
 std::string experimentPage(const Outcome& o, const Store& store) {
   const Configs configs = configsOf(o.plan, store);
-  return io::filledTemplate(kPageHtml, [&](std::string_view part) -> std::string {
-    if (part == "title") return io::escapedHtml(o.plan.title);
-    if (part == "style") return std::string(kPageStyle);
+  return page::filledTemplate(kPageHtml, [&](std::string_view part) -> std::string {
+    if (part == "title") return page::escapedHtml(o.plan.title);
+    if (part == "style") return std::string(page::kStyle) + std::string(kPageStyle);
     if (part == "facts") return factsHtml(o);
     if (part == "results") return resultsHtml(o);
     if (part == "plots") return plotsHtml(o.plots, o.pictures);

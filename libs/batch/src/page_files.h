@@ -1,4 +1,4 @@
-// The files of page/ as they were when the library was built, behind the style of a run's report.
+// The files of page/ as they were when the library was built.
 #pragma once
 #include <string_view>
 

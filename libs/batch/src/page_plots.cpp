@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "ariadne/io/html.h"
-#include "page_parts.h"
+#include "ariadne/page/html.h"
+#include "ariadne/page/parts.h"
 
 namespace ariadne::batch {
 namespace {
@@ -42,11 +42,11 @@ std::string numbersOf(const Plot& plot) {
                                       fmt::format("{:.6g}", p.low), fmt::format("{:.6g}", p.high),
                                       std::to_string(p.runs)};
       if (!plot.factor.empty()) row.insert(row.begin(), plot.places[p.place]);
-      rows += textRow(row);
+      rows += page::textRow(row);
     }
   std::vector<std::string> header = {"arm", plot.figure, "from", "to", "runs"};
   if (!plot.factor.empty()) header.insert(header.begin(), plot.factor);
-  return htmlDetails("Numbers", htmlTable("Numbers of " + titleOf(plot), header, rows));
+  return page::htmlDetails("Numbers", page::htmlTable("Numbers of " + titleOf(plot), header, rows));
 }
 
 }  // namespace
@@ -54,9 +54,9 @@ std::string numbersOf(const Plot& plot) {
 std::string plotsHtml(const std::vector<Plot>& plots, const std::vector<Picture>& pictures) {
   if (plots.empty())
     return "<p>None: the INI asks for none, or no run is finished that has what they show.</p>\n";
-  BoundedList list(kMostBytes);
+  page::BoundedList list(kMostBytes);
   for (std::size_t i = 0; i < plots.size(); ++i) {
-    const std::string title = io::escapedHtml(titleOf(plots[i]));
+    const std::string title = page::escapedHtml(titleOf(plots[i]));
     std::string picture;
     if (i < pictures.size())
       picture = fmt::format(
@@ -65,12 +65,12 @@ std::string plotsHtml(const std::vector<Plot>& plots, const std::vector<Picture>
     list.add(
         fmt::format("<figure class=\"card plot\"><figcaption><h3>{}</h3><p>{}</p>"
                     "</figcaption>\n{}{}</figure>\n",
-                    title, io::escapedHtml(plots[i].about), picture, numbersOf(plots[i])));
+                    title, page::escapedHtml(plots[i].about), picture, numbersOf(plots[i])));
   }
   return (pictures.empty() ? "<p>They could not be drawn: gnuplot was missing or failed.</p>\n"
                            : "") +
          ("<div class=\"chart-grid\">\n" + list.html() + "</div>\n") +
-         leftOutHtml(list.leftOut(), "plots", "the folder plots");
+         page::leftOutHtml(list.leftOut(), "plots", "the folder plots");
 }
 
 }  // namespace ariadne::batch

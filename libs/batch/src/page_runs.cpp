@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <set>
 
-#include "ariadne/io/html.h"
-#include "page_parts.h"
+#include "ariadne/page/html.h"
+#include "ariadne/page/parts.h"
 
 namespace ariadne::batch {
 namespace {
@@ -42,7 +42,7 @@ std::string linksOf(const PlannedRun& run, const RunResult* result, const Store&
     links += fmt::format("{}<a href=\"{}\">{}</a>", links.empty() ? "" : " ", file, text);
   };
   std::error_code ignored;
-  const std::string key = io::escapedHtml(run.key);
+  const std::string key = page::escapedHtml(run.key);
   if (fs::exists(store.files(run.key) / "report.html", ignored))
     add("files/" + key + "/report.html", "report");
   else if (fs::exists(store.files(run.key), ignored))
@@ -54,7 +54,7 @@ std::string linksOf(const PlannedRun& run, const RunResult* result, const Store&
 std::string rowOf(const Outcome& o, const PlannedRun& run, const Store& store) {
   const auto found = o.results.find(run.key);
   const RunResult* result = found == o.results.end() ? nullptr : &found->second;
-  Words row = {std::to_string(run.seed), io::escapedHtml(resultOf(o, run, result))};
+  Words row = {std::to_string(run.seed), page::escapedHtml(resultOf(o, run, result))};
   for (const std::string& figure : o.plan.figures) {
     row.emplace_back();
     if (!result) continue;
@@ -63,7 +63,7 @@ std::string rowOf(const Outcome& o, const PlannedRun& run, const Store& store) {
   }
   row.push_back(result ? fmt::format("{:.1f}", result->wall_s) : "");
   row.push_back(linksOf(run, result, store));
-  return htmlRow(row);
+  return page::htmlRow(row);
 }
 
 /// "laps 10, frontier".
@@ -77,20 +77,21 @@ std::string nameOf(const Plan& plan, const Cell& cell) {
 }  // namespace
 
 std::string failedHtml(const Outcome& o) {
-  BoundedList list(kMostFailed);
+  page::BoundedList list(kMostFailed);
   std::set<std::string> told;
   for (const PlannedRun& run : o.plan.runs) {
     const auto r = o.results.find(run.key);
     if (r == o.results.end() || r->second.failure.empty() || !told.insert(run.key).second) continue;
     const std::string name = describe(o.plan, run);
-    list.add(fmt::format("<h3>{}</h3>\n<p>{}</p>\n", io::escapedHtml(name),
-                         io::escapedHtml(r->second.failure)) +
+    list.add(fmt::format("<h3>{}</h3>\n<p>{}</p>\n", page::escapedHtml(name),
+                         page::escapedHtml(r->second.failure)) +
              (r->second.last_words.empty()
                   ? ""
-                  : htmlListing("Last words of " + name, r->second.last_words)));
+                  : page::htmlListing("Last words of " + name, r->second.last_words)));
   }
   if (told.empty()) return "<p>None.</p>\n";
-  return list.html() + leftOutHtml(list.leftOut(), "failed runs", "ariadne-experiment status");
+  return list.html() +
+         page::leftOutHtml(list.leftOut(), "failed runs", "ariadne-experiment status");
 }
 
 std::string runsHtml(const Outcome& o, const Store& store) {
@@ -109,12 +110,12 @@ std::string runsHtml(const Outcome& o, const Store& store) {
     }
     if (rows.empty()) continue;
     const std::string name = nameOf(o.plan, cell);
-    text += htmlDetails(fmt::format("{}: {} of {} finished, {} failed", name, cell.finished,
-                                    cell.planned, cell.failed),
-                        htmlTable("Runs of " + name, headerOf(o.plan), rows));
+    text += page::htmlDetails(fmt::format("{}: {} of {} finished, {} failed", name, cell.finished,
+                                          cell.planned, cell.failed),
+                              page::htmlTable("Runs of " + name, headerOf(o.plan), rows));
     left = kMostRunsShown - std::min(text.size(), kMostRunsShown);
   }
-  return text + leftOutHtml(left_out, "runs", "the folder runs");
+  return text + page::leftOutHtml(left_out, "runs", "the folder runs");
 }
 
 }  // namespace ariadne::batch

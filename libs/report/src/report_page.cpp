@@ -1,7 +1,8 @@
 #include "ariadne/report/report_page.h"
 
-#include "ariadne/io/html.h"
 #include "ariadne/io/whole_file.h"
+#include "ariadne/page/html.h"
+#include "ariadne/page/style.h"
 #include "page_files.h"
 #include "replay_json.h"
 #include "thinning.h"
@@ -10,9 +11,9 @@ namespace ariadne::report {
 namespace {
 
 std::string pageOf(const Replay& replay) {
-  return io::filledTemplate(kPageHtml, [&](std::string_view name) -> std::string {
-    if (name == "title") return io::escapedHtml(replay.title);
-    if (name == "style") return std::string(kPageStyle);
+  return page::filledTemplate(kPageHtml, [&](std::string_view name) -> std::string {
+    if (name == "title") return page::escapedHtml(replay.title);
+    if (name == "style") return std::string(page::kStyle) + std::string(kPageStyle);
     if (name == "chart.js") return std::string(kPageChartJs);
     if (name == "script") return std::string(kPageScript);
     return replayJson(replay);

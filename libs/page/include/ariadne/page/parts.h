@@ -1,10 +1,10 @@
-// Pieces that the sections of an experiment's page are made of.
+// Pieces that our pages' sections are made of.
 #pragma once
 #include <cstddef>
 #include <string>
 #include <vector>
 
-namespace ariadne::batch {
+namespace ariadne::page {
 
 /// A list of the page that may take a number of bytes; what comes after is only counted.
 class BoundedList {
@@ -29,7 +29,8 @@ std::string htmlRow(const std::vector<std::string>& cells, const char* tag = "td
 /// The same, of texts.
 std::string textRow(const std::vector<std::string>& cells, const char* tag = "td");
 
-/// A table that keyboards can scroll sideways. @param rows HTML
+/// A table that keyboards can scroll sideways. Its headings are explained().
+/// @param rows HTML
 std::string htmlTable(const std::string& label, const std::vector<std::string>& header,
                       const std::string& rows);
 
@@ -39,4 +40,4 @@ std::string htmlDetails(const std::string& summary, const std::string& inside);
 /// A text as it stands, which keyboards can scroll.
 std::string htmlListing(const std::string& label, const std::string& text);
 
-}  // namespace ariadne::batch
+}  // namespace ariadne::page

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace ariadne::io {
+namespace ariadne::page {
 
 /// Text as HTML, also between quotes of an attribute.
 std::string escapedHtml(std::string_view text);
@@ -14,4 +14,4 @@ std::string escapedHtml(std::string_view text);
 std::string filledTemplate(std::string_view page,
                            const std::function<std::string(std::string_view name)>& part);
 
-}  // namespace ariadne::io
+}  // namespace ariadne::page

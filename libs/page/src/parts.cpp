@@ -1,12 +1,21 @@
-#include "page_parts.h"
+#include "ariadne/page/parts.h"
 
 #include <fmt/format.h>
 
-#include "ariadne/io/html.h"
+#include "ariadne/page/glossary.h"
+#include "ariadne/page/html.h"
 
-namespace ariadne::batch {
+namespace ariadne::page {
 
-using io::escapedHtml;
+namespace {
+
+std::vector<std::string> explainedOf(const std::vector<std::string>& texts) {
+  std::vector<std::string> html;
+  for (const std::string& text : texts) html.push_back(explained(text));
+  return html;
+}
+
+}  // namespace
 
 void BoundedList::add(const std::string& piece) {
   if (left_out_ > 0 || text_.size() + piece.size() > most_)
@@ -38,7 +47,7 @@ std::string htmlTable(const std::string& label, const std::vector<std::string>& 
   return fmt::format(
       "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"{}\"><table>\n<thead>{}"
       "</thead>\n<tbody>\n{}</tbody></table></div>\n",
-      escapedHtml(label), textRow(header, "th"), rows);
+      escapedHtml(label), htmlRow(explainedOf(header), "th"), rows);
 }
 
 std::string htmlDetails(const std::string& summary, const std::string& inside) {
@@ -51,4 +60,4 @@ std::string htmlListing(const std::string& label, const std::string& text) {
                      escapedHtml(label), escapedHtml(text));
 }
 
-}  // namespace ariadne::batch
+}  // namespace ariadne::page

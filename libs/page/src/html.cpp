@@ -1,6 +1,6 @@
-#include "ariadne/io/html.h"
+#include "ariadne/page/html.h"
 
-namespace ariadne::io {
+namespace ariadne::page {
 
 std::string escapedHtml(std::string_view text) {
   std::string out;
@@ -34,4 +34,4 @@ std::string filledTemplate(std::string_view page,
   }
 }
 
-}  // namespace ariadne::io
+}  // namespace ariadne::page
