@@ -79,12 +79,13 @@ TEST(MapAgainstWorld, AHallOfPillarsIsRightWithTheTruePoses) {
   const Driven drive(hall(), kAmongThePillars);
   const auto score = drive.score(drive.seen.truth);
   EXPECT_GT(score.precision, 0.99);
-  // What is not there: cells that only beams ended in which grazed a wall, 3 % (measured).
+  // 3 % of the walls that were hit are not in the map (measured).
   EXPECT_GT(score.recall, 0.95);
 }
 
-// What was taken for the truth before: a grid of scans from everywhere. Beams that graze a wall
-// clear it there, and the map that keeps its walls gets the blame: precision 0.19 (measured).
+// What was taken for the truth before: a grid of scans from everywhere. The laser sees 0.8 of its
+// range (drive.h), a beam without return clears all of it: walls beyond are gone, and the map that
+// keeps its walls gets the blame: precision 0.19, and 1.00 when beams clear 8 of 10 m (measured).
 TEST(MapAgainstWorld, AGridOfScansIsNoTruth) {
   const Driven drive(hall(), kAmongThePillars);
   const auto seeable = mission::seeable(drive.world, *drive.world.start, drive.params, kCell_m);

@@ -3,8 +3,9 @@
 // once and observes once a seed.
 //
 // The robot is MRPT's CVehicleSimul_DiffDriven, the laser COccupancyGridMap2D::laserScanSimulator,
-// whose ranges are whole numbers of cells: the end of a beam lies up to a cell behind the face of
-// the wall.
+// which goes along a ray by steps of 0.8 cells: the end of a beam lies up to a cell behind the face
+// of the wall. MRPT 2.5.8 takes as many steps as the maximum range has cells, so the laser sees 0.8
+// of that range.
 #pragma once
 #include <mrpt/obs/CObservation2DRangeScan.h>
 
