@@ -1,5 +1,6 @@
 #include "beginning.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -32,9 +33,13 @@ using Count = std::function<double(const process::ProcessEnd&)>;
 void tryOne(const std::vector<std::string>& command, const fs::path& folder, Side side,
             const Count& made, std::size_t all, Forecast& forecast) {
   try {
-    const auto end = process::runToEnd(command, folder.string() + ".log");
+    // Starting is most of so short a run, and comes once.
+    const std::string log = folder.string() + ".log";
+    const double start_s = process::runToEnd({command[0], "--version"}, log).wall_s;
+    const auto end = process::runToEnd(command, log);
     if (const double updates = made(end); updates > 0)
-      forecast.expect(side, end.wall_s * static_cast<double>(all) / updates);
+      forecast.expect(
+          side, start_s + std::max(end.wall_s - start_s, 0.0) * static_cast<double>(all) / updates);
   } catch (const core::Error&) {  // the contest's run tells it
   }
 }
