@@ -21,7 +21,8 @@ std::vector<mrpt::math::TPoint2D> wallsOf(const grid::OccupancyGrid& map);
 
 /// @param walls of the map, m, frame of the map
 /// @param true_walls those that a robot could have seen, m, frame of the truth: from the world
-///   itself (sim::wallsHit), since a grid that scans were put into has the faults of grids and scans
+///   itself (sim::wallsHit), since a grid that scans were put into has the faults of grids and
+///   scans
 /// @param truth_from_map where the map lies, for instance by alignment of the paths
 /// @param cell_m distances are those between cells of this size in the frame of the truth
 /// All zero when either has no wall.
