@@ -3,8 +3,8 @@
 #include <benchmark/benchmark.h>
 
 #include "ariadne/geometry/pose.h"
-#include "ariadne/recovery/recover.h"
-#include "ariadne/topology/loop_opportunity.h"
+#include "ariadne/loops/places/loop_opportunity.h"
+#include "ariadne/loops/recovery/recover.h"
 #include "corridor.h"
 #include "corridors.h"
 
@@ -22,7 +22,7 @@ struct Loop {
         set(models(), parallel, {}, grid::OccupancyGrid()) {
     grid::OccupancyGrid map;
     map.insertMany(drive.placed());
-    topology::PlaceGraph graph;
+    loops::PlaceGraph graph;
     for (const auto& p : drive.poses) graph.extend({p.x, p.y}, map, {});
     std::vector<filter::Particle> particles;
     for (std::size_t i = 0; i < 30; ++i) {
@@ -52,8 +52,8 @@ struct Loop {
   test::Drive drive;
   core::Parallel parallel;
   filter::ParticleSet set;
-  recovery::SavedSet saved;
-  std::vector<topology::PlaceGraph> graphs;
+  loops::SavedSet saved;
+  std::vector<loops::PlaceGraph> graphs;
 };
 
 /// A robot that mowed a hall of 66 x 86 m: 500 places, neighbouring lanes far apart by the graph.
@@ -73,7 +73,7 @@ struct Hall {
       at.y += 4;
   }
   grid::OccupancyGrid map;
-  topology::PlaceGraph graph;
+  loops::PlaceGraph graph;
   TPoint2D at{0, 0};
 };
 
@@ -82,9 +82,8 @@ struct Hall {
 static void BM_Recovery(benchmark::State& state) {
   const Loop loop;
   for (auto _ : state) {
-    auto out =
-        recovery::recover(loop.saved, loop.set, loop.graphs,
-                          {loop.drive.shapes, 100, 1, loop.parallel}, recovery::Draw::independent);
+    auto out = loops::recover(loop.saved, loop.set, loop.graphs,
+                              {loop.drive.shapes, 100, 1, loop.parallel}, loops::Draw::independent);
     benchmark::DoNotOptimize(out);
   }
 }
@@ -105,7 +104,7 @@ BENCHMARK(BM_RebuildFromScratch)->Unit(benchmark::kMillisecond);
 
 static void BM_ExtendGraphs(benchmark::State& state) {
   Hall hall;
-  std::vector<topology::PlaceGraph> graphs(100, hall.graph);
+  std::vector<loops::PlaceGraph> graphs(100, hall.graph);
   for (auto _ : state) {
     for (auto& g : graphs) g.extend(hall.at, hall.map, {});
     hall.at.x += hall.at.x > 30 ? -0.3 : 0.3;
@@ -116,11 +115,11 @@ BENCHMARK(BM_ExtendGraphs)->Unit(benchmark::kMicrosecond);
 /// `open` 1: an opportunity exists, and the map is searched; 0: the graph alone says there is none.
 static void BM_FindOpportunity(benchmark::State& state) {
   const Hall hall;
-  topology::OpportunityParams params;
+  loops::OpportunityParams params;
   if (state.range(0) == 0) params.c2_m = 1e5;
   for (auto _ : state) {
-    auto found = topology::findOpportunity(hall.graph, hall.map, hall.at, params,
-                                           [](const auto&) { return true; });
+    auto found = loops::findOpportunity(hall.graph, hall.map, hall.at, params,
+                                        [](const auto&) { return true; });
     benchmark::DoNotOptimize(found);
   }
 }

@@ -3,12 +3,12 @@
 #include <iostream>
 #include <map>
 
-#include "ariadne/closing/stop_rules.h"
 #include "ariadne/io/dataset.h"
+#include "ariadne/loops/closing/stop_rules.h"
 #include "ariadne/slam/mapper.h"
 
-using ariadne::closing::ClosingCourse;
-using ariadne::closing::StopRule;
+using ariadne::loops::ClosingCourse;
+using ariadne::loops::StopRule;
 
 namespace {
 
@@ -54,7 +54,7 @@ int main(int argc, char** argv) {
   try {
     const auto log = ariadne::io::openDataset(argv[1]);
     ariadne::slam::Mapper mapper({}, /*threads=*/0);
-    Trial paper("the paper's rule", ariadne::closing::neffConstantFor(10, 0.1));
+    Trial paper("the paper's rule", ariadne::loops::neffConstantFor(10, 0.1));
     Trial own("the rule of one's own", nothingNewFor(8));
     while (const auto step = log->next()) {
       if (!mapper.process(*step)) continue;

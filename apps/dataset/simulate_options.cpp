@@ -11,7 +11,7 @@ constexpr const char* kSimulateFooter =
     "were passed. The formats of WORLD and PATH are explained in datasets/README.md.\n"
     "Example: ariadne-dataset simulate datasets/worlds/nested.world datasets/drives/nested.path "
     "\\\n"
-    "           nested.rawlog --laps 6 --seed 7 --set noise.turn_per_m_deg=1\n"
+    "           nested.rawlog --laps 6 --seed 7 --set noise.turn_per_root_m_deg=1\n"
     "Keys of --set, with their defaults:\n";
 
 constexpr const char* kWorldFooter =

@@ -24,7 +24,7 @@ constexpr const char* kFooter =
     "  ariadne-explore ini/explore/nested.ini\n"
     "  ariadne-explore ini/explore/three_loops.ini --strategy frontier --seed 7 --out frontier-7\n"
     "  ariadne-explore ini/explore/nested.ini --world mine.png --set world.resolution_m=0.1\n"
-    "  ariadne-explore ini/explore/office.ini --start 4,2,90 --set noise.turn_per_m_deg=1\n"
+    "  ariadne-explore ini/explore/office.ini --start 4,2,90 --set noise.turn_per_root_m_deg=1\n"
     "The drive is mapped again, to the same bits, by: ariadne-slam OUT/mapping.ini\n"
     "Exit code: 0 fine, 1 the run failed, 2 wrong use, 130 stopped by Ctrl-C, 143 by SIGTERM.";
 

@@ -2,10 +2,10 @@
 
 namespace ariadne::slam_app {
 
-LoopCounts countLoops(const std::vector<slam::ClosingRecord>& closings) {
+LoopCounts countLoops(const std::vector<loops::ClosingRecord>& closings) {
   LoopCounts counts;
   counts.detected = closings.size();
-  for (const slam::ClosingRecord& c : closings) {
+  for (const loops::ClosingRecord& c : closings) {
     counts.closed += c.closing.entered ? 1 : 0;
     counts.recovered += c.recovery ? 1 : 0;
   }

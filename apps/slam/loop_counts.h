@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "ariadne/slam/closing_record.h"
+#include "ariadne/loops/closing/closing_record.h"
 
 namespace ariadne::slam_app {
 
@@ -13,6 +13,6 @@ struct LoopCounts {
   std::size_t recovered = 0;  ///< the set was replaced afterwards
 };
 
-LoopCounts countLoops(const std::vector<slam::ClosingRecord>& closings);
+LoopCounts countLoops(const std::vector<loops::ClosingRecord>& closings);
 
 }  // namespace ariadne::slam_app

@@ -25,8 +25,8 @@ charts::Curve coalescence(const std::string& name, const std::vector<filter::Anc
 
 /// What there was just before the recovery (and would have been left without it), dashed, and just
 /// after, in one colour.
-void addRecovery(charts::CurveChart& chart, const slam::ClosingRecord& c) {
-  const slam::RecoveryRecord& r = *c.recovery;
+void addRecovery(charts::CurveChart& chart, const loops::ClosingRecord& c) {
+  const loops::RecoveryRecord& r = *c.recovery;
   const std::size_t colour = chart.curves.size() / 2 + 1;
   const auto add = [&](const char* when, const std::vector<filter::AncestorPtr>& leaves) {
     chart.curves.push_back(
@@ -48,15 +48,15 @@ void addRecovery(charts::CurveChart& chart, const slam::ClosingRecord& c) {
 
 void writeTopologyPicture(const std::filesystem::path& file, const slam::Mapper& mapper,
                           const mrpt::maps::COccupancyGridMap2D& map) {
-  const topology::PlaceGraph& g = mapper.graphs()[mapper.particles().best()];
+  const loops::PlaceGraph& g = mapper.graphs()[mapper.particles().best()];
   report::DrawnGraph drawn;
-  g.places().forEach([&](const topology::Place& p) { drawn.places.push_back(p.position); });
-  g.edges().forEach([&](const topology::Edge& e) {
+  g.places().forEach([&](const loops::Place& p) { drawn.places.push_back(p.position); });
+  g.edges().forEach([&](const loops::Edge& e) {
     // On new ground the next place is made as it is reached; a cycle is closed to one of before.
     const bool grows = g.places()[std::max(e.a, e.b)].step == e.step;
     (grows ? drawn.edges : drawn.shortcuts).emplace_back(e.a, e.b);
   });
-  for (const slam::ClosingRecord& c : mapper.closings())
+  for (const loops::ClosingRecord& c : mapper.closings())
     if (c.closing.entered)
       drawn.entries.push_back(
           {g.places()[g.visits()[c.closing.opportunity.te].place].position, c.closing.id});
@@ -72,7 +72,7 @@ void writeCoalescencePicture(const std::filesystem::path& file, const slam::Mapp
   for (std::size_t i = 0; i < mapper.particles().size(); ++i)
     leaves.push_back(mapper.particles()[i].ancestor);
   chart.curves.push_back(coalescence("of the final set", leaves, mapper.updates()));
-  for (const slam::ClosingRecord& c : mapper.closings())
+  for (const loops::ClosingRecord& c : mapper.closings())
     if (c.recovery) addRecovery(chart, c);
   charts::writeCurves(file, chart);
 }

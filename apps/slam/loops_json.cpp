@@ -58,7 +58,7 @@ Json orNull(const std::optional<T>& value) {
   return value ? Json(*value) : Json();
 }
 
-Json savingOf(const slam::SavingRecord& s) {
+Json savingOf(const loops::SavingRecord& s) {
   const eval::Divergence d =
       eval::divergence({s.at_te.poses, s.at_te.weights}, {s.saved.poses, s.saved.weights});
   return {{"entries", s.entries},
@@ -71,7 +71,7 @@ Json savingOf(const slam::SavingRecord& s) {
           {"memory_mb", s.memory_mb}};
 }
 
-Json recoveryOf(const slam::RecoveryRecord& r) {
+Json recoveryOf(const loops::RecoveryRecord& r) {
   const auto worst = std::max_element(r.contradiction.begin(), r.contradiction.end());
   return {
       {"update", r.update},
@@ -85,14 +85,14 @@ Json recoveryOf(const slam::RecoveryRecord& r) {
 }
 
 /// Why x_te is where it is, Eq. (7) and (9), with the bounds of this run.
-std::string whyThere(std::size_t places, const topology::OpportunityParams& bounds) {
+std::string whyThere(std::size_t places, const loops::OpportunityParams& bounds) {
   return fmt::format(
       "{} with dist_m < c1 = {} m and dist_G > c2 = {} m: Eq. (7) and (9)",
       places == 1 ? "the only place" : fmt::format("nearest by the map of {} places", places),
       bounds.c1_m, bounds.c2_m);
 }
 
-Json foundOf(const slam::FoundClosure& f, const std::vector<slam::StepReport>& reports) {
+Json foundOf(const loops::FoundClosure& f, const std::vector<slam::StepReport>& reports) {
   return {{"found", moment(f.update, reports)},
           {"place", moment(f.anchor, reports)},
           {"drawn_from", moment(f.begin, reports)},
@@ -104,9 +104,9 @@ Json foundOf(const slam::FoundClosure& f, const std::vector<slam::StepReport>& r
           {"seconds", f.seconds}};
 }
 
-Json closingOf(const slam::ClosingRecord& record, const std::vector<slam::StepReport>& reports,
-               const topology::OpportunityParams& bounds) {
-  const closing::Closing& c = record.closing;
+Json closingOf(const loops::ClosingRecord& record, const std::vector<slam::StepReport>& reports,
+               const loops::OpportunityParams& bounds) {
+  const loops::Closing& c = record.closing;
   Json detection = moment(c.detected, reports);
   detection["opportunities"] = c.opportunity.places.size();
   detection["dist_m_m"] = c.opportunity.dist_m_m;
@@ -132,10 +132,10 @@ Json closingOf(const slam::ClosingRecord& record, const std::vector<slam::StepRe
 
 }  // namespace
 
-std::string loopsJson(const std::vector<slam::ClosingRecord>& closings,
-                      const std::vector<slam::FoundClosure>& found,
+std::string loopsJson(const std::vector<loops::ClosingRecord>& closings,
+                      const std::vector<loops::FoundClosure>& found,
                       const std::vector<slam::StepReport>& reports,
-                      const topology::OpportunityParams& bounds) {
+                      const loops::OpportunityParams& bounds) {
   const LoopCounts n = countLoops(closings);
   Json json = {{"definitions", definitions()},
                {"detected", n.detected},
@@ -144,15 +144,15 @@ std::string loopsJson(const std::vector<slam::ClosingRecord>& closings,
                {"found_from_afar", found.size()},
                {"closings", Json::array()},
                {"found", Json::array()}};
-  for (const slam::ClosingRecord& c : closings)
+  for (const loops::ClosingRecord& c : closings)
     json["closings"].push_back(closingOf(c, reports, bounds));
-  for (const slam::FoundClosure& f : found) json["found"].push_back(foundOf(f, reports));
+  for (const loops::FoundClosure& f : found) json["found"].push_back(foundOf(f, reports));
   return json.dump(2) + "\n";
 }
 
-std::vector<std::string> loopWarnings(const std::vector<slam::ClosingRecord>& closings) {
+std::vector<std::string> loopWarnings(const std::vector<loops::ClosingRecord>& closings) {
   std::vector<std::string> warnings;
-  for (const slam::ClosingRecord& c : closings)
+  for (const loops::ClosingRecord& c : closings)
     if (c.dropped) warnings.push_back(fmt::format("closing {}: {}", c.closing.id, c.note));
   return warnings;
 }

@@ -16,9 +16,9 @@ std::string sentence(std::string text) {
   return text + ".";
 }
 
-ReplayMoment detectionOf(const slam::ClosingRecord& record) {
-  const closing::Closing& c = record.closing;
-  const topology::LoopOpportunity& o = c.opportunity;
+ReplayMoment detectionOf(const loops::ClosingRecord& record) {
+  const loops::Closing& c = record.closing;
+  const loops::LoopOpportunity& o = c.opportunity;
   ReplayMoment m{c.detected, MomentKind::detection, fmt::format("Loop {} detected", c.id), {}, {}};
   m.text = fmt::format("Its entry is {:.1f} m away by the map and {:.1f} m by the graph.",
                        o.dist_m_m, o.dist_g_m);
@@ -38,8 +38,8 @@ ReplayMoment detectionOf(const slam::ClosingRecord& record) {
   return m;
 }
 
-ReplayMoment endOf(const slam::ClosingRecord& record) {
-  const closing::Closing& c = record.closing;
+ReplayMoment endOf(const loops::ClosingRecord& record) {
+  const loops::Closing& c = record.closing;
   ReplayMoment m{*c.ended, MomentKind::end, {}, sentence(c.end_reason), {}};
   m.title = fmt::format(c.entered ? "Loop {}: closing ended" : "Loop {} given up", c.id);
   if (!record.note.empty()) m.text += fmt::format(" No recovery: {}.", record.note);
@@ -52,8 +52,8 @@ ReplayMoment endOf(const slam::ClosingRecord& record) {
   return m;
 }
 
-ReplayMoment recoveryOf(const slam::ClosingRecord& record) {
-  const slam::RecoveryRecord& r = *record.recovery;
+ReplayMoment recoveryOf(const loops::ClosingRecord& record) {
+  const loops::RecoveryRecord& r = *record.recovery;
   ReplayMoment m{r.update,
                  MomentKind::recovery,
                  fmt::format("Loop {}: diversity recovered", record.closing.id),
@@ -69,10 +69,10 @@ ReplayMoment recoveryOf(const slam::ClosingRecord& record) {
 
 }  // namespace
 
-std::vector<ReplayMoment> momentsOf(const std::vector<slam::ClosingRecord>& closings) {
+std::vector<ReplayMoment> momentsOf(const std::vector<loops::ClosingRecord>& closings) {
   std::vector<ReplayMoment> moments;
-  for (const slam::ClosingRecord& record : closings) {
-    const closing::Closing& c = record.closing;
+  for (const loops::ClosingRecord& record : closings) {
+    const loops::Closing& c = record.closing;
     moments.push_back(detectionOf(record));
     if (c.entered)
       moments.push_back({*c.entered,
@@ -88,16 +88,16 @@ std::vector<ReplayMoment> momentsOf(const std::vector<slam::ClosingRecord>& clos
 
 std::string stateInWords(const slam::StepReport& report) {
   const std::string entry =
-      report.dist_m && report.dist_g
-          ? fmt::format(": entry {:.1f} m away by the map, {:.1f} m by the graph", *report.dist_m,
-                        *report.dist_g)
+      report.loops.dist_m && report.loops.dist_g
+          ? fmt::format(": entry {:.1f} m away by the map, {:.1f} m by the graph",
+                        *report.loops.dist_m, *report.loops.dist_g)
           : "";
-  switch (report.loop_state) {
-    case closing::LoopState::approaching:
+  switch (report.loops.state) {
+    case loops::LoopState::approaching:
       return "A loop is detected" + entry;
-    case closing::LoopState::closing:
+    case loops::LoopState::closing:
       return "Closing a loop, among known places";
-    case closing::LoopState::exploring:
+    case loops::LoopState::exploring:
       break;
   }
   return "No loop is being closed";

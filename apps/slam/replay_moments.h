@@ -3,14 +3,14 @@
 #include <string>
 #include <vector>
 
+#include "ariadne/loops/closing/closing_record.h"
 #include "ariadne/report/replay.h"
-#include "ariadne/slam/closing_record.h"
 #include "ariadne/slam/step_report.h"
 
 namespace ariadne::slam_app {
 
 /// Detection, entry, end and recovery of each closing, by the numbers of loops.json.
-std::vector<report::ReplayMoment> momentsOf(const std::vector<slam::ClosingRecord>& closings);
+std::vector<report::ReplayMoment> momentsOf(const std::vector<loops::ClosingRecord>& closings);
 
 /// What the robot is at, by its loop state.
 std::string stateInWords(const slam::StepReport& report);

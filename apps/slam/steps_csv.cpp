@@ -6,13 +6,13 @@ namespace ariadne::slam_app {
 
 namespace {
 
-const char* nameOf(closing::LoopState state) {
+const char* nameOf(loops::LoopState state) {
   switch (state) {
-    case closing::LoopState::approaching:
+    case loops::LoopState::approaching:
       return "approaching";
-    case closing::LoopState::closing:
+    case loops::LoopState::closing:
       return "closing";
-    case closing::LoopState::exploring:
+    case loops::LoopState::exploring:
       break;
   }
   return "exploring";
@@ -32,8 +32,9 @@ std::string stepsCsv(const std::vector<slam::StepReport>& reports) {
     out += fmt::format("{},{},{},{:d},{},{},{},{},{},{},{},", r.step, r.time_s, r.neff, r.resampled,
                        r.particles, r.matches_accepted, r.log_likelihood, r.best,
                        r.map_from_robot.x, r.map_from_robot.y, r.map_from_robot.phi);
-    out += fmt::format("{},{},{},{},{}\n", nameOf(r.loop_state), r.opportunities,
-                       numberOrNothing(r.dist_m), numberOrNothing(r.dist_g), r.unique_ancestors);
+    out += fmt::format("{},{},{},{},{}\n", nameOf(r.loops.state), r.loops.opportunities,
+                       numberOrNothing(r.loops.dist_m), numberOrNothing(r.loops.dist_g),
+                       r.loops.unique_ancestors);
   }
   return out;
 }

@@ -66,7 +66,7 @@ Json learnedMotion(const models::MotionLearner& learned, const models::MotionPar
           {"stretch_m_per_m", learned.stretch()}};
 }
 
-Json loopFigures(const std::vector<slam::ClosingRecord>& closings, std::size_t found) {
+Json loopFigures(const std::vector<loops::ClosingRecord>& closings, std::size_t found) {
   const LoopCounts n = countLoops(closings);
   return {{"detected", n.detected},
           {"closed", n.closed},

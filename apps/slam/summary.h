@@ -21,8 +21,8 @@ struct RunResult {
   SlamConfig config;
   MappingRecord record;
   slam::StageTimes stages;
-  std::vector<slam::ClosingRecord> closings;
-  std::vector<slam::FoundClosure> found;
+  std::vector<loops::ClosingRecord> closings;
+  std::vector<loops::FoundClosure> found;
   models::MotionLearner learned = models::MotionLearner({});
   slam::DoubtCounts doubts;
   std::vector<checks::Check> checks;  ///< their warnings are among the warnings

@@ -46,13 +46,14 @@ class SimulateApp : public TemporaryFolder {
 };
 
 TEST_F(SimulateApp, TheRawlogHoldsWhatWasSeen) {
-  ASSERT_EQ(simulate("b.rawlog", {"--laps", "2", "--seed", "5", "--set", "noise.travel_per_m=0.1"}),
-            0)
+  ASSERT_EQ(
+      simulate("b.rawlog", {"--laps", "2", "--seed", "5", "--set", "noise.travel_per_root_m=0.1"}),
+      0)
       << err.str();
   const auto world = sim::readWorld(folder / "a.world");
   const auto drive = sim::driveThrough(world, sim::readPath(folder / "a.path", 2), {});
   sim::NoiseParams noise;
-  noise.travel_per_m = 0.1;
+  noise.travel_per_root_m = 0.1;
   const auto seen = sim::observe(drive, noise, 5);
 
   const auto steps = io::openDataset(folder / "b.rawlog");

@@ -13,7 +13,7 @@ struct Small {
     world = sim::readWorld(data + "worlds/small.world");
     drive_params.max_range_m = 8;
     drive_params.scan_rate_hz = 2;
-    noise.turn_per_m_deg = 0.7;
+    noise.turn_per_root_m_deg = 0.7;
     params.filter.particles = 8;
     params.filter.weight_gain = 0.02;
     params.grid.resolution_m = 0.1;

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "ariadne/experiment/mapper_arms.h"
 #include "ariadne/experiment/oracle.h"
-#include "ariadne/slam/mapper.h"
 #include "small_experiment.h"
 
 using namespace ariadne;
@@ -15,8 +15,8 @@ TEST(Oracle, AFilterOfItsOwnDrawsItsOwnNoise) {
   slam::Mapper suspended(small.params, 1);
   for (std::size_t k = 0; k < half; ++k) suspended.process(seen.steps[k]);
   const auto wentOn = [&](std::uint64_t seed) {
-    const auto own = suspended.forkWithoutRecovery();
-    own->collapseTo(0, seed);
+    const auto own = experiment::MapperArms::forkWithoutRecovery(suspended);
+    experiment::MapperArms::collapseTo(*own, 0, seed);
     for (std::size_t k = half; k < seen.steps.size(); ++k) own->process(seen.steps[k]);
     return own->particles()[0].map_from_robot;
   };

@@ -136,9 +136,9 @@ TEST(Strategy, SetsTheRuleAndTheRecovery) {
     explore::applyStrategy(s, p);
     return std::pair(p.loop_closing.stop, p.recovery.enabled);
   };
-  EXPECT_EQ(with(Strategy::frontier), std::pair(closing::Stop::leaving, false));
-  EXPECT_EQ(with(Strategy::active_uncertainty), std::pair(closing::Stop::uncertainty, false));
-  EXPECT_EQ(with(Strategy::active_neff), std::pair(closing::Stop::neff, false));
-  EXPECT_EQ(with(Strategy::active_neff_recovery), std::pair(closing::Stop::neff, true));
+  EXPECT_EQ(with(Strategy::frontier), std::pair(loops::Stop::leaving, false));
+  EXPECT_EQ(with(Strategy::active_uncertainty), std::pair(loops::Stop::uncertainty, false));
+  EXPECT_EQ(with(Strategy::active_neff), std::pair(loops::Stop::neff, false));
+  EXPECT_EQ(with(Strategy::active_neff_recovery), std::pair(loops::Stop::neff, true));
   EXPECT_FALSE(explore::isActive(Strategy::frontier));
 }

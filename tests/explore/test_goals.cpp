@@ -51,14 +51,14 @@ struct RoomOfGoals {
   explore::ExploreParams params;
   grid::OccupancyGrid map;
   filter::AncestorPtr path;
-  std::vector<const closing::Closing*> open;
+  std::vector<const loops::Closing*> open;
   mrpt::obs::CObservation2DRangeScan scan;
   explore::Logbook log;
 };
 
 /// Its entry is where the robot was at update 1.
-closing::Closing loop() {
-  closing::Closing c;
+loops::Closing loop() {
+  loops::Closing c;
   c.id = 4;
   c.opportunity.te = 1;
   c.entry_position = {1.5, 1.5};

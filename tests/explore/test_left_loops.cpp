@@ -19,8 +19,8 @@ grid::OccupancyGrid room(int door) {
   return map;
 }
 
-closing::Closing loopAt(std::size_t name, double x, double y) {
-  closing::Closing loop;
+loops::Closing loopAt(std::size_t name, double x, double y) {
+  loops::Closing loop;
   loop.id = name;
   loop.entry_position = {x, y};
   return loop;

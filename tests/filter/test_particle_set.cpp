@@ -1,16 +1,10 @@
 #include <gtest/gtest.h>
-#include <mrpt/bayes/CParticleFilter.h>
-#include <mrpt/obs/CActionCollection.h>
-#include <mrpt/obs/CActionRobotMovement2D.h>
-#include <mrpt/obs/CSensoryFrame.h>
-#include <mrpt/poses/CPosePDFGaussian.h>
-#include <mrpt/random/RandomGenerators.h>
 
 #include <cmath>
 #include <numeric>
 
 #include "ariadne/filter/particle_set.h"
-#include "ariadne/filter/residual.h"
+#include "ariadne/filter/resampling.h"
 #include "ariadne/geometry/pose.h"
 #include "room.h"
 
@@ -25,27 +19,23 @@ struct Drive {
   explicit Drive(filter::FilterModels m, int threads = 1)
       : models(std::move(m)),
         parallel(threads),
-        set(models, parallel, {}, grid::OccupancyGrid(models.grid)) {
-    pf.m_options = filter::particleFilterOptions(models.filter);
-  }
+        set(models, parallel, {}, grid::OccupancyGrid(models.grid)) {}
   void step() {
     const TPose2D increment(0.25, 0, 0.25);
     truth = geometry::compose(truth, increment);
-    mrpt::obs::CActionRobotMovement2D movement;
-    movement.poseChange.get_ptr() =
-        mrpt::poses::CPosePDFGaussian::Create(mrpt::poses::CPose2D(0.26, 0.01, 0.24));
-    mrpt::obs::CActionCollection action;
-    action.insert(movement);
-    mrpt::obs::CSensoryFrame frame;
-    frame.insert(test::scanIn(world, truth));
-    pf.executeOn(set, &action, &frame, &stats);
-    set.insertScan(5);
+    const grid::Scan scan = grid::takeScan(test::scanIn(world, truth), models.grid,
+                                           static_cast<std::size_t>(models.matcher.max_beams));
+    set.predict({0.26, 0.01, 0.24});
+    set.match(scan);
+    set.weigh(scan);
+    neff = set.neff();
+    if (neff < models.filter.beta * static_cast<double>(set.size())) set.resample();
+    set.insert(scan, 5);
   }
   filter::FilterModels models;
   core::Parallel parallel;
   ParticleSet set;
-  mrpt::bayes::CParticleFilter pf;
-  mrpt::bayes::CParticleFilter::TParticleFilterStats stats;
+  double neff = 0;  // before resampling
   mrpt::maps::COccupancyGridMap2D world = test::roomWorld();
   TPose2D truth{-1, -0.8, 0};
 };
@@ -63,12 +53,8 @@ TEST(ParticleSet, SameBitsOnAnyNumberOfThreads) {
   std::vector<std::unique_ptr<Drive>> drives;
   for (int threads : {1, 2, 8}) {
     drives.push_back(std::make_unique<Drive>(modelsWith(filter::Proposal::improved), threads));
-    drives.back()->models.filter.beta = 0.9;
-    drives.back()->pf.m_options.BETA = 0.95;  // resample often
-    for (int i = 0; i < 15; ++i) {
-      mrpt::random::getRandomGenerator().randomize(i);
-      drives.back()->step();
-    }
+    drives.back()->models.filter.beta = 0.95;  // resample often
+    for (int i = 0; i < 15; ++i) drives.back()->step();
   }
   const ParticleSet& one = drives[0]->set;
   for (std::size_t d = 1; d < drives.size(); ++d)
@@ -141,13 +127,13 @@ TEST(ParticleSet, TheBestIsTheLowestOfEquals) {
 
 TEST(ParticleSet, NeffIsOneOverTheSumOfSquaredWeights) {
   Drive drive(modelsWith(filter::Proposal::improved));
-  drive.pf.m_options.BETA = 0;  // never resample
+  drive.models.filter.beta = 0;  // never resample
   for (int i = 0; i < 5; ++i) drive.step();
   const auto weights = drive.set.weights();
   EXPECT_NEAR(std::accumulate(weights.begin(), weights.end(), 0.0), 1, 1e-12);
   double squares = 0;
   for (const double w : weights) squares += w * w;
-  EXPECT_NEAR(drive.stats.ESS_beforeResample * 12, 1 / squares, 1e-9);
+  EXPECT_NEAR(drive.neff, 1 / squares, 1e-9);
 }
 
 TEST(ParticleSet, CheckpointsHoldTheMapOfTheirStep) {
@@ -174,21 +160,13 @@ TEST(Resampling, AllFourMethodsAreUnbiased) {
   const std::vector<double> logs{0, -1, -2, -0.5, -3, -0.1, -1.5, -2.5, -4, -0.7};
   std::vector<double> weights;
   mrpt::bayes::CParticleFilterCapable::log2linearWeights(logs, weights);
-  mrpt::random::getRandomGenerator().randomize(7);
   core::RandomStream rng(7, 0, 0, core::Purpose::resampling);
   for (const auto method : {filter::Resampling::multinomial, filter::Resampling::residual,
                             filter::Resampling::stratified, filter::Resampling::systematic}) {
-    filter::FilterParams params;
-    params.resampling = method;
-    const auto mrpt_method = filter::particleFilterOptions(params).resamplingMethod;
     std::vector<double> mean(logs.size(), 0);
     const int draws = 2000;
     for (int d = 0; d < draws; ++d) {
-      std::vector<size_t> drawn;
-      if (method == filter::Resampling::residual)
-        drawn = filter::residualIndices(weights, rng);
-      else
-        mrpt::bayes::CParticleFilterCapable::computeResampling(mrpt_method, logs, drawn);
+      const std::vector<std::size_t> drawn = filter::drawByWeight(method, logs, rng);
       ASSERT_EQ(drawn.size(), logs.size());
       for (const auto i : drawn) mean[i] += 1.0 / draws;
     }

@@ -35,7 +35,7 @@ class MadeUpRun {
     report.time_s = 1e9 + 0.6 * static_cast<double>(step_++);
     report.neff = static_cast<double>(particles_.size());
     report.map_from_robot = pose;
-    report.loop_state = state;
+    report.loops.state = state;
     recorder.step(report, view(), "at update " + std::to_string(report.step));
   }
 
@@ -47,7 +47,7 @@ class MadeUpRun {
   }
   filter::Particle& best() { return particles_.front(); }
 
-  closing::LoopState state = closing::LoopState::exploring;
+  loops::LoopState state = loops::LoopState::exploring;
 
  private:
   std::vector<filter::Particle> particles_;

@@ -47,7 +47,7 @@ TEST(ReplayRecorder, MomentsAndChangesOfTheLoopStateKeepTheirKeyframes) {
   MadeUpRun run(3, 5);
   for (std::size_t i = 0; i < 500; ++i) {
     if (i == 37) recorder.mark({0, report::MomentKind::decision, "go north", "", {}});
-    run.state = i < 101 ? closing::LoopState::exploring : closing::LoopState::closing;
+    run.state = i < 101 ? loops::LoopState::exploring : loops::LoopState::closing;
     run.update(recorder, 5);
   }
   const report::Replay replay = recorder.finish(run.view());

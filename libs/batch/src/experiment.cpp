@@ -93,7 +93,7 @@ void addToValue(Factor& factor, const IniEntry& e) {
   const std::size_t key = e.key.rfind('.');
   const std::size_t section = e.key.rfind('.', key - 1);
   if (section == std::string::npos || section <= 4)
-    throw io::entryError(e, "is no set.VALUE.SECTION.KEY, as set.2.noise.turn_per_turn");
+    throw io::entryError(e, "is no set.VALUE.SECTION.KEY, as set.2.noise.turn_per_root_turn");
   factor.settings[e.key.substr(4, section - 4)].push_back({e.key.substr(section + 1), e.value});
 }
 

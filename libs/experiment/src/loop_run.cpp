@@ -4,11 +4,11 @@
 #include <cmath>
 #include <utility>
 
-#include "ariadne/closing/stop_rules.h"
 #include "ariadne/eval/kl_divergence.h"
+#include "ariadne/experiment/mapper_arms.h"
 #include "ariadne/experiment/neff_fall.h"
 #include "ariadne/geometry/pose.h"
-#include "ariadne/slam/mapper.h"
+#include "ariadne/loops/closing/stop_rules.h"
 #include "arm_result.h"
 
 namespace ariadne::experiment {
@@ -29,10 +29,10 @@ double leastError(const std::vector<TPose2D>& poses, const TPose2D& start,
   return least;
 }
 
-InnerLoop innerOf(const slam::ClosingRecord& record, const TPose2D& start,
+InnerLoop innerOf(const loops::ClosingRecord& record, const TPose2D& start,
                   const TPose2D& true_from_start) {
-  const slam::SavingRecord& saving = *record.saving;
-  const slam::RecoveryRecord& recovery = *record.recovery;
+  const loops::SavingRecord& saving = *record.saving;
+  const loops::RecoveryRecord& recovery = *record.recovery;
   const std::size_t te = record.closing.opportunity.te;
   geometry::WeightedPoses left;
   for (const auto& leaf : recovery.before)
@@ -52,7 +52,7 @@ InnerLoop innerOf(const slam::ClosingRecord& record, const TPose2D& start,
   inner.lost_mass = saved.lost_mass;
   inner.kl_left_nats = eval::divergence(saving.at_te, left).kl_nats;
   const auto& steps = record.closing.course.steps;
-  inner.neff_slope_per_m = closing::slopeOfLogNeff(steps, 0);
+  inner.neff_slope_per_m = loops::slopeOfLogNeff(steps, 0);
   inner.resamplings = static_cast<double>(
       std::count_if(steps.begin(), steps.end(), [](const auto& s) { return s.resampled; }));
   inner.recovery_s = recovery.seconds;
@@ -72,7 +72,7 @@ void addNeff(InnerLoop& inner, const std::vector<NeffStep>& updates,
 /// The inner loop is the first one that was recovered.
 std::optional<InnerLoop> innerOf(const slam::Mapper& mapper, const geometry::Trajectory& truth,
                                  std::vector<NeffStep> updates) {
-  for (const slam::ClosingRecord& record : mapper.closings()) {
+  for (const loops::ClosingRecord& record : mapper.closings()) {
     if (!record.recovery) continue;
     const double time = updates[record.closing.opportunity.te].time_s;
     const auto at =
@@ -95,8 +95,8 @@ LoopRunResult runLoop(const sim::SimulatedDrive& seen, const slam::SlamParams& p
   seeded.filter.seed = seed;
   slam::Mapper mapper(seeded, 1);
   std::unique_ptr<slam::Mapper> standard;
-  mapper.onRecovery([&] {
-    if (!standard) standard = mapper.forkWithoutRecovery();
+  MapperArms::beforeRecovery(mapper, [&] {
+    if (!standard) standard = MapperArms::forkWithoutRecovery(mapper);
   });
   std::vector<NeffStep> updates;
   for (const models::SensorStep& step : seen.steps) {
@@ -109,7 +109,7 @@ LoopRunResult runLoop(const sim::SimulatedDrive& seen, const slam::SlamParams& p
   result.recovered = armResultOf(mapper, seen.truth, bounds);
   result.standard = standard ? armResultOf(*standard, seen.truth, bounds) : result.recovered;
   result.inner = innerOf(mapper, seen.truth, std::move(updates));
-  for (const slam::ClosingRecord& record : mapper.closings()) {
+  for (const loops::ClosingRecord& record : mapper.closings()) {
     ++result.closings;
     result.recoveries += record.recovery ? 1 : 0;
   }

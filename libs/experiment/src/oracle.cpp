@@ -4,7 +4,7 @@
 
 #include "ariadne/core/random.h"
 #include "ariadne/eval/kl_divergence.h"
-#include "ariadne/slam/mapper.h"
+#include "ariadne/experiment/mapper_arms.h"
 #include "arm_result.h"
 
 namespace ariadne::experiment {
@@ -23,12 +23,12 @@ struct FirstLoop {
 std::optional<FirstLoop> driveToTheEnd(const Steps& steps, const slam::SlamParams& params) {
   FirstLoop loop;
   loop.recovered = std::make_unique<slam::Mapper>(params, 1);
-  loop.recovered->onRecovery([&] {
-    if (!loop.standard) loop.standard = loop.recovered->forkWithoutRecovery();
+  MapperArms::beforeRecovery(*loop.recovered, [&] {
+    if (!loop.standard) loop.standard = MapperArms::forkWithoutRecovery(*loop.recovered);
   });
   while (loop.next < steps.size() && !loop.standard) loop.recovered->process(steps[loop.next++]);
   if (!loop.standard) return std::nullopt;
-  for (const slam::ClosingRecord& r : loop.recovered->closings())
+  for (const loops::ClosingRecord& r : loop.recovered->closings())
     if (r.recovery) loop.te = r.closing.opportunity.te;
   return loop;
 }
@@ -51,12 +51,12 @@ std::unique_ptr<slam::Mapper> oracleThrough(const Steps& steps, const slam::Slam
   const std::vector<double> weights = suspended->particles().weights();
   std::vector<std::unique_ptr<slam::Mapper>> own;
   for (std::size_t p = 0; p < weights.size(); ++p) {
-    own.push_back(suspended->forkWithoutRecovery());
-    own.back()->collapseTo(p, seedOf(params.filter.seed, loop.te, p));
+    own.push_back(MapperArms::forkWithoutRecovery(*suspended));
+    MapperArms::collapseTo(*own.back(), p, seedOf(params.filter.seed, loop.te, p));
     for (std::size_t k = i; k < loop.next; ++k) own.back()->process(steps[k]);
   }
-  auto gathered = own.front()->forkWithoutRecovery();
-  gathered->gatherBest(own, weights);
+  auto gathered = MapperArms::forkWithoutRecovery(*own.front());
+  MapperArms::gatherBest(*gathered, own, weights);
   return gathered;
 }
 

@@ -16,7 +16,7 @@ constexpr double kChanged_m2 = 0.5;
 
 }  // namespace
 
-void LeftLoops::add(const closing::Closing& loop, const grid::OccupancyGrid& map) {
+void LeftLoops::add(const loops::Closing& loop, const grid::OccupancyGrid& map) {
   if (loop.entered)
     entered_.push_back(loop.id);
   else
@@ -31,7 +31,7 @@ void LeftLoops::forgetWhereChanged(const grid::OccupancyGrid& map) {
   entries_.erase(std::remove_if(entries_.begin(), entries_.end(), changed), entries_.end());
 }
 
-bool LeftLoops::contains(const closing::Closing& loop) const {
+bool LeftLoops::contains(const loops::Closing& loop) const {
   return std::find(entered_.begin(), entered_.end(), loop.id) != entered_.end() ||
          std::any_of(entries_.begin(), entries_.end(), [&](const Entry& e) {
            return e.closing == loop.id ||

@@ -9,7 +9,7 @@
 namespace ariadne::explore {
 namespace {
 
-using closing::Closing;
+using loops::Closing;
 using mrpt::math::TPoint2D;
 
 LoopNumbers numbersOf(const Closing& loop) {

@@ -36,14 +36,13 @@ std::vector<TPoint2Df> drawnPath(const filter::AncestorPtr& leaf, double spacing
   return kept;
 }
 
-ReplayGraph drawnGraph(const topology::PlaceGraph& graph) {
+ReplayGraph drawnGraph(const loops::PlaceGraph& graph) {
   ReplayGraph drawn;
   drawn.places.reserve(graph.places().size());
   drawn.edges.reserve(graph.edges().size());
-  graph.places().forEach([&](const topology::Place& p) {
-    drawn.places.push_back(asFloats(p.position.x, p.position.y));
-  });
-  graph.edges().forEach([&](const topology::Edge& e) { drawn.edges.emplace_back(e.a, e.b); });
+  graph.places().forEach(
+      [&](const loops::Place& p) { drawn.places.push_back(asFloats(p.position.x, p.position.y)); });
+  graph.edges().forEach([&](const loops::Edge& e) { drawn.edges.emplace_back(e.a, e.b); });
   return drawn;
 }
 

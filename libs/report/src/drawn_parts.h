@@ -11,6 +11,6 @@ std::vector<ReplayParticle> drawnParticles(const FilterView& view, std::size_t m
 /// line gives the same points however far it has come.
 std::vector<mrpt::math::TPoint2Df> drawnPath(const filter::AncestorPtr& leaf, double spacing_m);
 
-ReplayGraph drawnGraph(const topology::PlaceGraph& graph);
+ReplayGraph drawnGraph(const loops::PlaceGraph& graph);
 
 }  // namespace ariadne::report

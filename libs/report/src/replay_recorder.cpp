@@ -61,10 +61,10 @@ void ReplayRecorder::Impl::add(const slam::StepReport& report, const FilterView&
       (replay.steps.empty() ? 0 : replay.steps.back().distance_m) + lastDistance(*best.ancestor);
   step.neff = report.neff;
   step.resampled = report.resampled;
-  if (view.graph) step.unique_ancestors = report.unique_ancestors;
+  if (view.graph) step.unique_ancestors = report.loops.unique_ancestors;
   step.pose_entropy = poseEntropy(view);
   step.map_from_robot = report.map_from_robot;
-  step.loop_state = report.loop_state;
+  step.loop_state = report.loops.state;
   step.state = std::move(state);
   replay.particles = view.particles.size();
   replay.steps.push_back(std::move(step));

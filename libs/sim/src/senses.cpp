@@ -18,11 +18,12 @@ using mrpt::obs::CObservation2DRangeScan;
 TPose2D withNoise(const TPose2D& motion, const NoiseParams& noise, RandomStream random) {
   const double distance = std::hypot(motion.x, motion.y);
   const double direction = std::atan2(motion.y, motion.x);
-  const double turn_per_m = noise.turn_per_m_deg * M_PI / 180;
-  const double turn_variance = noise.turn_per_turn * noise.turn_per_turn * std::abs(motion.phi) +
-                               turn_per_m * turn_per_m * distance;
-  const double along = distance + noise.travel_per_m * std::sqrt(distance) * random.gaussian();
-  const double across = noise.side_per_m * std::sqrt(distance) * random.gaussian();
+  const double turn_per_m = noise.turn_per_root_m_deg * M_PI / 180;
+  const double turn_variance =
+      noise.turn_per_root_turn * noise.turn_per_root_turn * std::abs(motion.phi) +
+      turn_per_m * turn_per_m * distance;
+  const double along = distance + noise.travel_per_root_m * std::sqrt(distance) * random.gaussian();
+  const double across = noise.side_per_root_m * std::sqrt(distance) * random.gaussian();
   const double c = std::cos(direction), s = std::sin(direction);
   return {along * c - across * s, along * s + across * c,
           motion.phi + std::sqrt(turn_variance) * random.gaussian()};

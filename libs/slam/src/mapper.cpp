@@ -1,24 +1,18 @@
 #include "ariadne/slam/mapper.h"
 
-#include <mrpt/bayes/CParticleFilter.h>
 #include <mrpt/core/bits_math.h>
-#include <mrpt/obs/CActionCollection.h>
-#include <mrpt/obs/CActionRobotMovement2D.h>
-#include <mrpt/obs/CSensoryFrame.h>
-#include <mrpt/poses/CPosePDFGaussian.h>
-#include <mrpt/random/RandomGenerators.h>
 
 #include <chrono>
 #include <cmath>
 #include <functional>
 
+#include "ariadne/core/error.h"
 #include "ariadne/core/parallel.h"
-#include "ariadne/core/random.h"
 #include "ariadne/filter/particle_set.h"
 #include "ariadne/geometry/pose.h"
 #include "ariadne/grid/conversion.h"
-#include "ariadne/grid/scan_shape.h"
-#include "ariadne/slam/loop_closer.h"
+#include "ariadne/grid/scan.h"
+#include "ariadne/loops/closing/loop_closer.h"
 #include "ariadne/slam/pose_path.h"
 #include "dead_reckoning.h"
 #include "recapture.h"
@@ -32,7 +26,7 @@ using mrpt::math::TPose2D;
 const SlamParams& validated(const SlamParams& params) {
   forEachSection(params,
                  [](const char* section, const auto& p) { core::validateFields(p, section); });
-  closing::validate(params.loop_closing, "loop_closing");
+  loops::validate(params.loop_closing, "loop_closing");
   return params;
 }
 
@@ -52,21 +46,13 @@ class Stopwatch {
   Clock::time_point start_;
 };
 
-/// @param covariance zero: the motion model's
-mrpt::obs::CActionCollection actionOf(const TPose2D& increment, const Eigen::Matrix3d& covariance) {
-  mrpt::obs::CActionRobotMovement2D movement;
-  movement.poseChange.get_ptr() = mrpt::poses::CPosePDFGaussian::Create(
-      mrpt::poses::CPose2D(increment), mrpt::math::CMatrixDouble33(covariance));
-  mrpt::obs::CActionCollection actions;
-  actions.insert(movement);
-  return actions;
-}
-
-/// MRPT draws resampling indices from its generator, of which every thread has its own: the one
-/// place where it is seeded.
-void seedMrpt(std::uint64_t seed, std::size_t step) {
-  core::RandomStream stream(seed, static_cast<std::uint32_t>(step), 0, core::Purpose::resampling);
-  mrpt::random::getRandomGenerator().randomize(stream.bits());
+loops::LoopCloserParams loopsOf(const SlamParams& p) {
+  return {p.loop_closing,
+          p.recovery,
+          p.grid,
+          p.likelihood,
+          static_cast<std::size_t>(p.update.checkpoint_updates),
+          p.filter.seed};
 }
 
 }  // namespace
@@ -77,11 +63,9 @@ struct Mapper::Impl {
         known(std::make_shared<mrpt::maps::CSimpleMap>(before)),
         parallel(std::make_shared<core::Parallel>(threads)),
         particles(modelsOf(params), *parallel, start, gridOf(before, params.grid)),
-        loops(params, *parallel),
+        loops(loopsOf(params), *parallel),
         reckoning(params.motion),
-        recapture(params.matcher, params.filter.proposal_gain) {
-    particle_filter.m_options = filter::particleFilterOptions(params.filter);
-  }
+        recapture(params.matcher, params.filter.proposal_gain) {}
 
   bool due(const models::SensorStep& step) const {
     if (!step.scan) return false;
@@ -92,16 +76,15 @@ struct Mapper::Impl {
            std::abs(moved.phi) >= mrpt::DEG2RAD(params.update.update_angle_deg);
   }
 
-  std::optional<Recaptured> recaptured(const mrpt::obs::CObservation2DRangeScan& scan);
-  StepReport update(const models::SensorStep& step, const TPose2D& motion,
-                    const Eigen::Matrix3d& covariance);
+  std::optional<Recaptured> recaptured(const grid::Scan& scan);
+  StepReport update(const grid::Scan& scan, const TPose2D& motion,
+                    const std::optional<Recaptured>& known);
 
   SlamParams params;
   std::shared_ptr<const mrpt::maps::CSimpleMap> known;
   std::shared_ptr<core::Parallel> parallel;  // forks work on the same threads
   filter::ParticleSet particles;
-  LoopCloser loops;
-  mrpt::bayes::CParticleFilter particle_filter;
+  loops::LoopCloser loops;
   DeadReckoning reckoning;
   Recapture recapture;
   DoubtCounts doubts;
@@ -112,13 +95,12 @@ struct Mapper::Impl {
 };
 
 /// The motion since the last update where the odometry alone does not tell it.
-std::optional<Recaptured> Mapper::Impl::recaptured(const mrpt::obs::CObservation2DRangeScan& scan) {
+std::optional<Recaptured> Mapper::Impl::recaptured(const grid::Scan& scan) {
   const auto& doubt = reckoning.doubt();
   if (!doubt || scans.empty()) return std::nullopt;
   Stopwatch watch(times.predict_s);
   const Recaptured found =
-      recapture(particles[particles.best()], grid::scanFeatures(scan, params.grid.insert_range_m),
-                reckoning.sinceUpdate(), *doubt);
+      recapture(particles[particles.best()], scan.features, reckoning.sinceUpdate(), *doubt);
   if (doubt->claimed) {
     doubts.jumps_by_scan += found.by == Recaptured::By::scan;
     doubts.jumps_by_odometry += found.by == Recaptured::By::odometry;
@@ -127,42 +109,46 @@ std::optional<Recaptured> Mapper::Impl::recaptured(const mrpt::obs::CObservation
   return found;
 }
 
-StepReport Mapper::Impl::update(const models::SensorStep& step, const TPose2D& motion,
-                                const Eigen::Matrix3d& covariance) {
-  const auto action = actionOf(motion, covariance);
-  mrpt::obs::CSensoryFrame observation;
-  observation.insert(step.scan);
-
+/// One update, in the paper's order.
+/// @param motion of the odometry since the last update
+/// @param known it, where the odometry alone does not tell it
+StepReport Mapper::Impl::update(const grid::Scan& scan, const TPose2D& motion,
+                                const std::optional<Recaptured>& known) {
   StepReport report;
   report.step = particles.step();
-  report.time_s = step.time_s;
-  seedMrpt(params.filter.seed, particles.step());
-  mrpt::bayes::CParticleFilter::TParticleFilterStats stats;
+  report.particles = particles.size();
   {
     Stopwatch watch(times.predict_s);
-    particle_filter.executeOn(particles, &action, &observation, &stats);
+    if (known)
+      particles.predict(known->motion, known->covariance);
+    else
+      particles.predict(motion);
+    particles.match(scan);
+    particles.weigh(scan);
+    report.neff = particles.neff();  // Eq. (10)
+    if (report.neff < params.filter.beta * static_cast<double>(particles.size()))
+      particles.resample();
   }
-  report.particles = particles.size();
-  // Eq. (10); MRPT's ESS is Neff / N.
-  report.neff = stats.ESS_beforeResample * static_cast<double>(report.particles);
+  {
+    Stopwatch watch(times.insert_s);
+    particles.insert(scan, static_cast<std::size_t>(params.update.checkpoint_updates));
+    scans.push_back(scan.raw);
+  }
+  {
+    Stopwatch watch(times.loops_s);
+    loops.extend(particles, scan);
+    const auto watched = loops.watch(particles, report.neff);
+    if (watched.ended) {
+      if (before_recovery && loops.holds(*watched.ended)) before_recovery();
+      loops.recover(*watched.ended, particles, scans);
+    }
+    loops.search(particles, scans);
+    report.loops = watched.report;
+  }
   report.resampled = particles.figures().resampled;
   report.matches_accepted = particles.figures().matches_accepted;
   report.log_likelihood = particles.figures().log_likelihood;
-  {
-    Stopwatch watch(times.insert_s);
-    particles.insertScan(static_cast<std::size_t>(params.update.checkpoint_updates));
-  }
-  scans.push_back(step.scan);
   report.best = particles.best();
-  {
-    Stopwatch watch(times.loops_s);
-    if (const auto ended = loops.update(particles, report)) {
-      if (before_recovery) before_recovery();
-      loops.recover(*ended, particles, scans);
-    }
-    loops.search(particles, scans);
-  }
-  report.best = particles.best();  // recovery may have brought another
   report.map_from_robot = particles[report.best].map_from_robot;
   return report;
 }
@@ -175,6 +161,7 @@ Mapper::Mapper(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Mapper::~Mapper() = default;
 
 std::optional<StepReport> Mapper::process(const models::SensorStep& step) {
+  if (!std::isfinite(step.time_s)) throw core::Error("the time of a step is no number");
   Impl& m = *impl_;
   TPose2D here = m.reckoning.add(step);
   const bool due = m.due(step);
@@ -187,17 +174,17 @@ std::optional<StepReport> Mapper::process(const models::SensorStep& step) {
     m.records.push_back({step.time_s, here, m.scans.size(), false});
     return std::nullopt;
   }
-  TPose2D motion = m.scans.empty() ? TPose2D() : m.reckoning.sinceUpdate();
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  if (const auto found = m.recaptured(*step.scan)) {
-    // Across a jump the odometry's own way is taken out of the path between the updates.
-    if (m.reckoning.doubt()->claimed) here = m.reckoning.afterUpdate(found->motion);
-    motion = found->motion;
-    covariance = found->covariance;
-  }
+  const TPose2D motion = m.scans.empty() ? TPose2D() : m.reckoning.sinceUpdate();
+  const grid::Scan scan = grid::takeScan(step.scan, m.params.grid,
+                                         static_cast<std::size_t>(m.params.matcher.max_beams));
+  const auto known = m.recaptured(scan);
+  // Across a jump the odometry's own motion is taken out of the path between the updates.
+  if (known && m.reckoning.doubt()->claimed) here = m.reckoning.afterUpdate(known->motion);
   m.reckoning.update(here);
   m.records.push_back({step.time_s, here, m.scans.size() + 1, true});
-  return m.update(step, motion, covariance);
+  StepReport report = m.update(scan, motion, known);
+  report.time_s = step.time_s;
+  return report;
 }
 
 std::unique_ptr<Mapper> Mapper::forkWithoutRecovery() const {
@@ -216,13 +203,13 @@ void Mapper::collapseTo(std::size_t particle, std::uint64_t seed) {
   impl_->particles.replace(std::vector<filter::Particle>(n, one),
                            std::vector<double>(n, 1.0 / static_cast<double>(n)));
   if (!graphs().empty())
-    impl_->loops.setGraphs(std::vector<topology::PlaceGraph>(n, graphs()[particle]));
+    impl_->loops.setGraphs(std::vector<loops::PlaceGraph>(n, graphs()[particle]));
 }
 
 void Mapper::gatherBest(const std::vector<std::unique_ptr<Mapper>>& others,
                         const std::vector<double>& weights) {
   std::vector<filter::Particle> particles;
-  std::vector<topology::PlaceGraph> of_each;
+  std::vector<loops::PlaceGraph> of_each;
   for (const auto& other : others) {
     const std::size_t best = other->particles().best();
     particles.push_back(other->particles()[best]);
@@ -232,8 +219,8 @@ void Mapper::gatherBest(const std::vector<std::unique_ptr<Mapper>>& others,
   impl_->loops.setGraphs(std::move(of_each));
 }
 
-void Mapper::onRecovery(std::function<void()> before) {
-  impl_->before_recovery = std::move(before);
+void Mapper::beforeRecovery(std::function<void()> call) {
+  impl_->before_recovery = std::move(call);
 }
 
 mrpt::maps::COccupancyGridMap2D Mapper::map() const {
@@ -259,13 +246,15 @@ mrpt::maps::CSimpleMap Mapper::simpleMap() const {
                      impl_->particles[impl_->particles.best()].ancestor);
 }
 
-const std::vector<topology::PlaceGraph>& Mapper::graphs() const { return impl_->loops.graphs(); }
-std::vector<ClosingRecord> Mapper::closings() const { return impl_->loops.records(); }
+const std::vector<loops::PlaceGraph>& Mapper::graphs() const { return impl_->loops.graphs(); }
+std::vector<loops::ClosingRecord> Mapper::closings() const { return impl_->loops.records(); }
 
-const std::vector<FoundClosure>& Mapper::foundClosures() const { return impl_->loops.found(); }
+const std::vector<loops::FoundClosure>& Mapper::foundClosures() const {
+  return impl_->loops.found();
+}
 const models::MotionLearner& Mapper::learnedMotion() const { return impl_->particles.learned(); }
 
-std::vector<const closing::Closing*> Mapper::openClosings() const {
+std::vector<const loops::Closing*> Mapper::openClosings() const {
   return impl_->loops.openClosings();
 }
 

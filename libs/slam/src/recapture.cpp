@@ -53,9 +53,8 @@ std::vector<Window> windowsFor(const Doubt& doubt) {
 }  // namespace
 
 Recaptured Recapture::operator()(const filter::Particle& particle,
-                                 const std::vector<mrpt::math::TPoint2D>& all,
+                                 const std::vector<mrpt::math::TPoint2D>& points,
                                  const TPose2D& expected, const Doubt& doubt) const {
-  const auto points = grid::thinned(all, static_cast<std::size_t>(params_.max_beams));
   const double found = leastScore(points.size());
   const auto lookAbout = [&](const TPose2D& motion, const Window& window) {
     models::MatcherParams wide = params_;

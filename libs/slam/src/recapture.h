@@ -24,7 +24,7 @@ class Recapture {
   /// @param gain as the filter's proposal_gain
   Recapture(const models::MatcherParams& matcher, double gain) : params_(matcher), gain_(gain) {}
 
-  /// @param points ends of beams, m, robot's frame
+  /// @param points that the scan is matched by, m, robot's frame
   /// @param expected motion since the last update
   Recaptured operator()(const filter::Particle& particle,
                         const std::vector<mrpt::math::TPoint2D>& points,

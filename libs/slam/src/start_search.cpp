@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "ariadne/closure/piece.h"
-#include "ariadne/closure/place_search.h"
 #include "ariadne/core/error.h"
 #include "ariadne/geometry/pose.h"
 #include "ariadne/grid/endpoint_likelihood.h"
+#include "ariadne/loops/search/piece.h"
+#include "ariadne/loops/search/place_search.h"
 #include "ariadne/models/motion_model.h"
 #include "ariadne/slam/mapper.h"
 #include "simple_map.h"
@@ -23,7 +23,7 @@ constexpr std::size_t kMostHits = 120;
 constexpr std::size_t kMostPoints = 250;
 constexpr std::size_t kFewestPoints = 30;
 
-// As closures from metres away are judged (closure::FinderParams), where they were set on logs with
+// As closures from metres away are judged (loops::FinderParams), where they were set on logs with
 // known closures.
 constexpr double kLeastKnown = 0.6;
 constexpr double kLeastField = 0.42;
@@ -55,8 +55,8 @@ Piece firstPiece(const SlamParams& params, int threads,
       last = report->map_from_robot;
     }
   }
-  closure::Track track;
-  std::vector<closure::ScanHits> hits;
+  loops::Track track;
+  std::vector<loops::ScanHits> hits;
   const mrpt::maps::CSimpleMap map = mapper.simpleMap();
   Piece piece;
   for (const auto& entry : map) {
@@ -71,23 +71,23 @@ Piece firstPiece(const SlamParams& params, int threads,
   std::reverse(hits.begin(), hits.end());
   std::reverse(track.poses.begin(), track.poses.end());
   track.travelled_m.assign(hits.size(), 0);
-  piece.points = closure::lastPiece(track, hits, kPiece_m, kSpacing_m, kMostPoints);
+  piece.points = loops::lastPiece(track, hits, kPiece_m, kSpacing_m, kMostPoints);
   return piece;
 }
 
-bool fits(const closure::Place& place) {
+bool fits(const loops::FoundPlace& place) {
   return place.known_share >= kLeastKnown && place.field >= kLeastField &&
          place.contradicting <= kMostContradicting;
 }
 
-StartPlace startAt(const closure::Place& place) {
+StartPlace startAt(const loops::FoundPlace& place) {
   return {place.map_from_piece, place.field, place.known_share};
 }
 
 StartSearch checked(const grid::OccupancyGrid& map, const std::vector<mrpt::math::TPoint2D>& piece,
                     const TPose2D& given) {
   StartSearch search;
-  const closure::Place place = closure::placeNear(map, piece, given);
+  const loops::FoundPlace place = loops::placeNear(map, piece, given);
   search.best = startAt(place);
   if (place.known_share < kHardlyKnown) {
     search.result = StartSearch::Result::unmapped;
@@ -112,7 +112,7 @@ StartSearch searchStart(const SlamParams& params, int threads, const mrpt::maps:
   const grid::OccupancyGrid map = gridOf(known, params.grid);
   if (given) return checked(map, piece.points, *given);
   StartSearch search;
-  const auto places = closure::searchPlaces(map, piece.points, piece.laser, 2);
+  const auto places = loops::searchPlaces(map, piece.points, piece.laser, 2);
   if (places.empty()) return search;
   search.best = startAt(places[0]);
   if (places.size() > 1) search.rival = startAt(places[1]);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "insertion/scan_returns.h"
+
 namespace ariadne::grid {
 namespace {
 
@@ -51,16 +53,6 @@ bool returned(const CObservation2DRangeScan& scan, std::size_t i) {
   return scan.getScanRangeValidity(i) && std::isfinite(range) && range > 0 && range < scan.maxRange;
 }
 
-/// f(beam, its end) for each beam that returned within (0, max_range_m).
-template <class F>
-void forEachReturn(const CObservation2DRangeScan& scan, double max_range_m, F&& f) {
-  const LaserFrame laser(scan.sensorPose);
-  const BeamAngles angles = beamAngles(scan);
-  for (std::size_t i = 0; i < scan.getScanSize(); ++i)
-    if (returned(scan, i) && scan.getScanRange(i) < max_range_m)
-      f(i, laser.point(scan.getScanRange(i), angles.at(i)));
-}
-
 double freeRange(const CObservation2DRangeScan& scan, std::size_t i, const GridParams& params) {
   const double range = scan.getScanRange(i);
   if (!returned(scan, i))
@@ -76,35 +68,50 @@ bool sameSurface(double a, double b, double step) {
 
 }  // namespace
 
-ScanShape makeScanShape(const CObservation2DRangeScan& scan, const GridParams& params) {
-  ScanShape shape;
+std::vector<TPoint2D> outlineOf(const CObservation2DRangeScan& scan, const GridParams& params) {
+  std::vector<TPoint2D> outline;
   const std::size_t n = scan.getScanSize();
-  if (n < 2) return shape;
+  if (n < 2) return outline;
   const LaserFrame laser(scan.sensorPose);
   const BeamAngles angles = beamAngles(scan);
   std::vector<double> ranges(n);
   for (std::size_t i = 0; i < n; ++i) ranges[i] = freeRange(scan, i, params);
 
-  shape.outline.reserve(3 * n + 3);
-  shape.outline.push_back(laser.origin());
+  outline.reserve(3 * n + 3);
+  outline.push_back(laser.origin());
   for (std::size_t i = 0; i < n; ++i) {
-    shape.outline.push_back(laser.point(ranges[i], angles.at(i)));
+    outline.push_back(laser.point(ranges[i], angles.at(i)));
     // At an edge each beam keeps its own half of the gap.
     if (i + 1 < n && !sameSurface(ranges[i], ranges[i + 1], angles.step)) {
       const double middle = angles.at(i) + angles.step / 2;
-      shape.outline.push_back(laser.point(ranges[i], middle));
-      shape.outline.push_back(laser.point(ranges[i + 1], middle));
+      outline.push_back(laser.point(ranges[i], middle));
+      outline.push_back(laser.point(ranges[i + 1], middle));
     }
   }
-  shape.hits = scanPoints(scan, params.insert_range_m);
-  return shape;
+  return outline;
+}
+
+ScanReturns returnsOf(const CObservation2DRangeScan& scan, double max_range_m) {
+  ScanReturns returns;
+  const LaserFrame laser(scan.sensorPose);
+  const BeamAngles angles = beamAngles(scan);
+  returns.points.reserve(scan.getScanSize());
+  returns.beams.reserve(scan.getScanSize());
+  for (std::size_t i = 0; i < scan.getScanSize(); ++i) {
+    if (!returned(scan, i) || scan.getScanRange(i) >= max_range_m) continue;
+    returns.points.push_back(laser.point(scan.getScanRange(i), angles.at(i)));
+    returns.beams.push_back(i);
+  }
+  return returns;
+}
+
+ScanShape makeScanShape(const CObservation2DRangeScan& scan, const GridParams& params) {
+  if (scan.getScanSize() < 2) return {};
+  return {outlineOf(scan, params), scanPoints(scan, params.insert_range_m)};
 }
 
 std::vector<TPoint2D> scanPoints(const CObservation2DRangeScan& scan, double max_range_m) {
-  std::vector<TPoint2D> points;
-  points.reserve(scan.getScanSize());
-  forEachReturn(scan, max_range_m, [&](std::size_t, const TPoint2D& p) { points.push_back(p); });
-  return points;
+  return returnsOf(scan, max_range_m).points;
 }
 
 bool isBlind(const CObservation2DRangeScan& scan, const GridParams& params, double least_returns) {
@@ -119,23 +126,21 @@ bool isBlind(const CObservation2DRangeScan& scan, const GridParams& params, doub
 
 std::vector<TPoint2D> scanFeatures(const CObservation2DRangeScan& scan, double max_range_m,
                                    double few) {
+  return featuresOf(scan, returnsOf(scan, max_range_m), few);
+}
+
+std::vector<TPoint2D> featuresOf(const CObservation2DRangeScan& scan, const ScanReturns& returns,
+                                 double few) {
+  const std::vector<TPoint2D>& points = returns.points;
   const std::size_t n = scan.getScanSize();
-  std::vector<TPoint2D> points;
-  std::vector<std::size_t> beams;
-  points.reserve(n);
-  beams.reserve(n);
-  forEachReturn(scan, max_range_m, [&](std::size_t beam, const TPoint2D& p) {
-    points.push_back(p);
-    beams.push_back(beam);
-  });
   if (static_cast<double>(points.size()) >= few * static_cast<double>(n)) return points;
   std::vector<bool> cut_off(points.size(), false);
   for (std::size_t end = 0; end < points.size(); ++end)
     for (const int inward : {1, -1}) {
       // Counting down from 0 leaves the range of both, as counting up past the end does.
-      const std::size_t beyond = beams[end] - static_cast<std::size_t>(inward);
+      const std::size_t beyond = returns.beams[end] - static_cast<std::size_t>(inward);
       if (beyond >= n || scan.getScanRange(beyond) < scan.maxRange) continue;
-      if (scan.getScanRange(beams[end]) < kNearReach * scan.maxRange) continue;
+      if (scan.getScanRange(returns.beams[end]) < kNearReach * scan.maxRange) continue;
       for (std::size_t i = end; i < points.size() && (points[i] - points[end]).norm() < kWallEnd_m;
            i += static_cast<std::size_t>(inward))
         cut_off[i] = true;

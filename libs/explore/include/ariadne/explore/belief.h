@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "ariadne/closing/loop_watcher.h"
 #include "ariadne/filter/ancestry.h"
 #include "ariadne/grid/occupancy_grid.h"
+#include "ariadne/loops/closing/loop_watcher.h"
 #include "ariadne/slam/mapper.h"
 
 namespace ariadne::explore {
@@ -18,7 +18,7 @@ struct Belief {
   mrpt::math::TPose2D map_from_robot;              ///< now
   const grid::OccupancyGrid& map;                  ///< of s*
   filter::AncestorPtr path;                        ///< s*'s poses, update by update
-  std::vector<const closing::Closing*> open;       ///< closings, the outermost first
+  std::vector<const loops::Closing*> open;         ///< closings, the outermost first
   const mrpt::obs::CObservation2DRangeScan& scan;  ///< the latest
   bool touched = false;                            ///< the bumper's word since the last scan
 };

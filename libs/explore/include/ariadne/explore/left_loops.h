@@ -2,19 +2,19 @@
 #pragma once
 #include <vector>
 
-#include "ariadne/closing/loop_watcher.h"
+#include "ariadne/loops/closing/loop_watcher.h"
 
 namespace ariadne::explore {
 
 class LeftLoops {
  public:
   /// @param map of s* now
-  void add(const closing::Closing& loop, const grid::OccupancyGrid& map);
+  void add(const loops::Closing& loop, const grid::OccupancyGrid& map);
   /// Entries may be gone to again where more or less floor is known than when they were given up.
   /// A loop that was entered stays left.
   void forgetWhereChanged(const grid::OccupancyGrid& map);
   /// A closing of another number with its entry at the same place is the same.
-  bool contains(const closing::Closing& loop) const;
+  bool contains(const loops::Closing& loop) const;
 
  private:
   struct Entry {

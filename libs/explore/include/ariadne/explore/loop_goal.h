@@ -21,9 +21,9 @@ class LoopGoal {
   void look(const grid::OccupancyGrid& map) { left_.forgetWhereChanged(map); }
 
  private:
-  Answer toEntry(const Question& question, const closing::Closing& loop, Logbook& log);
-  Answer through(const Question& question, const closing::Closing& loop, Logbook& log);
-  Answer leave(const Belief& belief, const closing::Closing& loop, const std::string& why,
+  Answer toEntry(const Question& question, const loops::Closing& loop, Logbook& log);
+  Answer through(const Question& question, const loops::Closing& loop, Logbook& log);
+  Answer leave(const Belief& belief, const loops::Closing& loop, const std::string& why,
                Logbook& log);
 
   ExploreParams params_;

@@ -1,11 +1,11 @@
-// The particle set, as mrpt::bayes::CParticleFilter drives it: predict, match and weigh behind
-// MRPT's prediction_and_update, resampling behind performSubstitution. An action whose motion has a
-// covariance is taken at its word; without one, the noise is that of the motion model.
+// The particle set, and what an update does to it. In this order (slam/src/mapper.cpp): predict,
+// match, weigh, Neff, resample, insert. It is a CParticleFilterCapable of mrpt::bayes, whose
+// weights, Neff and resampling it uses; CParticleFilter::executeOn is what slam::Mapper spells out.
 #pragma once
 #include <mrpt/bayes/CParticleFilterCapable.h>
 #include <mrpt/bayes/CParticleFilterData.h>
-#include <mrpt/obs/CActionRobotMovement2D.h>
 
+#include <optional>
 #include <vector>
 
 #include "ariadne/core/parallel.h"
@@ -14,6 +14,7 @@
 #include "ariadne/filter/recent_scans.h"
 #include "ariadne/geometry/weighted_poses.h"
 #include "ariadne/grid/endpoint_likelihood.h"
+#include "ariadne/grid/scan.h"
 #include "ariadne/models/motion_learner.h"
 #include "ariadne/models/motion_model.h"
 #include "ariadne/models/proposal.h"
@@ -29,9 +30,6 @@ struct FilterModels {
   grid::GridParams grid;
   grid::LikelihoodParams likelihood;
 };
-
-/// MRPT's options for our parameters; CParticleFilter reads them.
-mrpt::bayes::CParticleFilter::TParticleFilterOptions particleFilterOptions(const FilterParams& p);
 
 class ParticleSet
     : public mrpt::bayes::CParticleFilterData<Particle, mrpt::bayes::particle_storage_mode::VALUE>,
@@ -53,9 +51,6 @@ class ParticleSet
   /// map_from_robot of all particles, with their normalised weights.
   geometry::WeightedPoses poses() const;
 
-  /// Index, before the resampling of the last update, of each particle's parent; its own where
-  /// there was none.
-  const std::vector<std::size_t>& parents() const { return parents_; }
   /// Puts other hypotheses in the place of these, as recovery does.
   /// @param weights one a particle, sum 1
   void replace(std::vector<Particle> particles, const std::vector<double>& weights);
@@ -68,9 +63,31 @@ class ParticleSet
 
   /// Number of the update that runs next; keys the random streams.
   std::size_t step() const { return step_; }
-  /// Inserts the scan of the last update into every particle's map (children of one parent share
-  /// the work) and ends the update. A checkpoint is kept each `checkpoint_updates`.
-  void insertScan(std::size_t checkpoint_updates);
+
+  /// p(x_t | x_{t-1}, u_t) of each particle, by the motion model and what was learned of it.
+  /// @param increment of the odometry since the last update, m and rad, in the frame before it
+  void predict(const mrpt::math::TPose2D& increment);
+  /// The same for a motion that is known otherwise, of which nothing is learned.
+  /// @param covariance of (x, y, heading) in the frame before the motion
+  void predict(const mrpt::math::TPose2D& increment, const Eigen::Matrix3d& covariance);
+  /// Finds where the scan fits each particle's map best about its prediction ([filter] proposal
+  /// odometry: nowhere).
+  void match(const grid::Scan& scan);
+  /// Draws each particle's pose from the proposal about its match, and multiplies its weight by how
+  /// probable the scan is.
+  void weigh(const grid::Scan& scan);
+  /// Eq. (10): 1 / sum of squared normalised weights.
+  double neff() const { return ESS() * static_cast<double>(size()); }
+  /// Draws as many particles as there are, by weight ([filter] resampling); all weigh the same
+  /// then.
+  void resample();
+  /// Inserts the scan into every particle's map (children of one parent share the work) and ends
+  /// the update. A checkpoint is kept each `checkpoint_updates`.
+  void insert(const grid::Scan& scan, std::size_t checkpoint_updates);
+
+  /// Index, before the resampling of the last update, of each particle's parent; its own where
+  /// there was none.
+  const std::vector<std::size_t>& parents() const { return parents_; }
 
   /// Figures of the update in progress.
   struct Figures {
@@ -84,34 +101,25 @@ class ParticleSet
   };
   const Figures& figures() const { return figures_; }
 
-  // mrpt::bayes::CParticleFilterCapable
-  void performSubstitution(const std::vector<size_t>& indices) override;
-
- protected:
-  void prediction_and_update_pfStandardProposal(
-      const mrpt::obs::CActionCollection* action, const mrpt::obs::CSensoryFrame* observation,
-      const mrpt::bayes::CParticleFilter::TParticleFilterOptions& options) override;
-  void prediction_and_update_pfOptimalProposal(
-      const mrpt::obs::CActionCollection* action, const mrpt::obs::CSensoryFrame* observation,
-      const mrpt::bayes::CParticleFilter::TParticleFilterOptions& options) override;
+  /// Of mrpt::bayes::CParticleFilterCapable: particle i becomes a child of the one drawn[i].
+  void performSubstitution(const std::vector<size_t>& drawn) override;
 
  private:
-  struct Outcome {
+  /// What an update finds for one particle.
+  struct Candidate {
+    models::PosePrior prior;
+    models::Match match;  // accepted: a scan fitted there
     mrpt::math::TPose2D pose;
     double log_weight = 0;
     double log_likelihood = 0;
-    bool match_accepted = false;
-    mrpt::math::TPose2D match;  // pose that the proposal is about
     Eigen::Matrix3d information =
-        Eigen::Matrix3d::Zero();  // of the scan there; zero when not fitted
+        Eigen::Matrix3d::Zero();  // of the scan at the match; zero when not fitted
   };
-  void predictMatchWeigh(const mrpt::obs::CActionCollection* action,
-                         const mrpt::obs::CSensoryFrame* observation);
-  models::Motion motionOf(const mrpt::obs::CActionRobotMovement2D& movement) const;
-  Outcome propose(std::size_t i, const models::Motion& motion) const;
-  void judgeMotion(const mrpt::math::TPose2D& increment, const models::Motion& motion,
-                   const Outcome& star);
+  void predictBy(const models::Motion& motion);
+  void draw(std::size_t i, const grid::Scan& scan);
+  void learnMotion(const Candidate& star);
   double evidenceOfPlace() const;
+  bool matches() const { return map_is_known_ && models_.filter.proposal != Proposal::odometry; }
 
   FilterModels models_;
   const core::Parallel& parallel_;
@@ -119,12 +127,12 @@ class ParticleSet
   models::ScanMatcher matcher_;
   models::MotionLearner learner_;
   RecentScans recent_;
-  double travelled_m_ = 0;
+  mrpt::math::TPose2D increment_;  // of the update in progress, as the next two
+  std::optional<models::Motion> motion_;
+  std::vector<Candidate> candidates_;
   std::size_t step_ = 0;
   bool map_is_known_;  // something to match against
   Figures figures_;
-  std::vector<mrpt::math::TPoint2D> points_;  // of the update in progress, robot's frame
-  grid::ScanShape shape_;
   std::vector<std::size_t> parents_;
   std::vector<std::size_t> twin_;  // lowest index with the same parent in this update
 };

@@ -16,8 +16,8 @@ namespace ariadne::models {
 /// Two gains temper the scan's log likelihood: one for the width of the proposal, one for the
 /// weight. A low first samples drift into every map; a high second leaves one hypothesis.
 struct Gains {
-  double proposal = 2;
-  double weight = 0.05;
+  double proposal;
+  double weight;
 };
 
 /// The gain at which (Q^-1 + gain H)^-1, Q of the motion and H of the scan, is how far a matched

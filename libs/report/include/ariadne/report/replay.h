@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "ariadne/closing/loop_watcher.h"
+#include "ariadne/loops/closing/loop_watcher.h"
 
 namespace ariadne::report {
 
@@ -84,7 +84,7 @@ struct ReplayStep {
   std::optional<double> error_m;             ///< distance of s* from the true position
   mrpt::math::TPose2D map_from_robot;        ///< s* as believed then
   std::optional<mrpt::math::TPose2D> truth;  ///< true map_from_robot
-  closing::LoopState loop_state = closing::LoopState::exploring;
+  loops::LoopState loop_state = loops::LoopState::exploring;
   std::string state;  ///< in words
 };
 

@@ -16,7 +16,7 @@ struct FilterView {
   std::vector<const filter::Particle*> particles;  ///< not null, each with an ancestor
   std::vector<double> weights;                     ///< normalised, one a particle
   std::size_t best = 0;                            ///< index of s*
-  const topology::PlaceGraph* graph = nullptr;     ///< of s*; null where none is kept
+  const loops::PlaceGraph* graph = nullptr;        ///< of s*; null where none is kept
 };
 
 FilterView viewOf(const slam::Mapper& mapper);

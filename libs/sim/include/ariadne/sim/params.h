@@ -17,12 +17,12 @@ struct DriveParams {
 
 /// Noise of odometry and ranges. Variances, not deviations, grow with the distance, so that it
 /// makes no difference how many increments a drive is cut into: after L metres the standard
-/// deviation of the distance is travel_per_m sqrt(L).
+/// deviation of the distance is travel_per_root_m sqrt(L).
 struct NoiseParams {
-  double turn_per_turn = 0.05;
-  double turn_per_m_deg = 0.5;
-  double travel_per_m = 0.05;
-  double side_per_m = 0.02;
+  double turn_per_root_turn = 0.05;
+  double turn_per_root_m_deg = 0.5;
+  double travel_per_root_m = 0.05;
+  double side_per_root_m = 0.02;
   double range_sigma_m = 0.01;
 };
 
@@ -39,13 +39,13 @@ void visitFields(V& v, DriveParams& p) {
 
 template <class V>
 void visitFields(V& v, NoiseParams& p) {
-  v.number("turn_per_turn", p.turn_per_turn, {0, 2},
+  v.number("turn_per_root_turn", p.turn_per_root_turn, {0, 2},
            "standard deviation of the heading, rad per sqrt(rad) turned");
-  v.number("turn_per_m_deg", p.turn_per_m_deg, {0, 90},
+  v.number("turn_per_root_m_deg", p.turn_per_root_m_deg, {0, 90},
            "standard deviation of the heading, degrees per sqrt(m) travelled");
-  v.number("travel_per_m", p.travel_per_m, {0, 2},
+  v.number("travel_per_root_m", p.travel_per_root_m, {0, 2},
            "standard deviation of the distance, m per sqrt(m) travelled");
-  v.number("side_per_m", p.side_per_m, {0, 2},
+  v.number("side_per_root_m", p.side_per_root_m, {0, 2},
            "standard deviation across the direction of travel, m per sqrt(m)");
   v.number("range_sigma_m", p.range_sigma_m, {0, 1}, "standard deviation of a range");
 }

@@ -10,10 +10,14 @@
 
 #include "ariadne/filter/particle_set.h"
 #include "ariadne/geometry/trajectory.h"
+#include "ariadne/loops/closing/closing_record.h"
 #include "ariadne/models/sensor_step.h"
-#include "ariadne/slam/closing_record.h"
 #include "ariadne/slam/params.h"
 #include "ariadne/slam/step_report.h"
+
+namespace ariadne::experiment {
+class MapperArms;
+}
 
 namespace ariadne::slam {
 
@@ -43,26 +47,12 @@ class Mapper {
   Mapper(const Mapper&) = delete;
   Mapper& operator=(const Mapper&) = delete;
 
-  /// Takes the next step, in time order. Returns the report when the filter was updated, nothing
-  /// when the robot has not moved far enough or the scan shows nothing ([update] least_returns);
-  /// the step then only adds to the path, along the odometry.
+  /// Takes the next step. Its stamp may lie before the last one's, where a clock was set back: the
+  /// order of the calls is the order of the drive. Throws core::Error when it is no number. Returns
+  /// the report when the filter was updated, nothing when the robot has not moved far enough or the
+  /// scan shows nothing ([update] least_returns); the step then only adds to the path, along the
+  /// odometry.
   std::optional<StepReport> process(const models::SensorStep& step);
-
-  /// `before` is called each time a closing has ended, before recovery (if it is on) replaces the
-  /// particles.
-  void onRecovery(std::function<void()> before);
-  /// A second mapper with the same past, which shares its maps until they are written to, and
-  /// never recovers: the other arm of a paired run.
-  std::unique_ptr<Mapper> forkWithoutRecovery() const;
-
-  /// All particles become copies of this one: a filter of its own for one hypothesis (the oracle).
-  /// @param seed what is drawn from now on comes from; not this filter's own, since forks of one
-  ///   seed draw the same noise
-  void collapseTo(std::size_t particle, std::uint64_t seed);
-  /// The particles become the s* of the others, one each, with these weights (sum 1). The others
-  /// must have processed the same steps, and be as many as the particles.
-  void gatherBest(const std::vector<std::unique_ptr<Mapper>>& others,
-                  const std::vector<double>& weights);
 
   /// The map of s*, as MRPT's grid.
   mrpt::maps::COccupancyGridMap2D map() const;
@@ -78,22 +68,28 @@ class Mapper {
   /// The path of any hypothesis, as path().
   geometry::Trajectory pathOf(std::size_t particle) const;
   /// G of every hypothesis; empty where loop closing is not enabled.
-  const std::vector<topology::PlaceGraph>& graphs() const;
+  const std::vector<loops::PlaceGraph>& graphs() const;
   /// All closings so far.
-  std::vector<ClosingRecord> closings() const;
+  std::vector<loops::ClosingRecord> closings() const;
   /// Closures that were searched for and found, in their order.
-  const std::vector<FoundClosure>& foundClosures() const;
+  const std::vector<loops::FoundClosure>& foundClosures() const;
   /// What the log told about its odometry.
   const models::MotionLearner& learnedMotion() const;
   /// Those that are open, the outermost first; until the next step is processed.
-  std::vector<const closing::Closing*> openClosings() const;
+  std::vector<const loops::Closing*> openClosings() const;
   StageTimes times() const;
   const DoubtCounts& doubts() const;
   std::size_t updates() const;
 
  private:
+  friend class experiment::MapperArms;  // what paired runs do to a filter
   struct Impl;
   explicit Mapper(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Mapper> forkWithoutRecovery() const;
+  void collapseTo(std::size_t particle, std::uint64_t seed);
+  void gatherBest(const std::vector<std::unique_ptr<Mapper>>& others,
+                  const std::vector<double>& weights);
+  void beforeRecovery(std::function<void()> call);
   std::unique_ptr<Impl> impl_;
 };
 

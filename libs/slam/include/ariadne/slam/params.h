@@ -1,11 +1,11 @@
 // All parameters of a mapping run; each struct is a section of the INI.
 #pragma once
-#include "ariadne/closing/params.h"
 #include "ariadne/core/fields.h"
 #include "ariadne/filter/params.h"
 #include "ariadne/grid/params.h"
+#include "ariadne/loops/closing/params.h"
+#include "ariadne/loops/recovery/params.h"
 #include "ariadne/models/params.h"
-#include "ariadne/recovery/params.h"
 
 namespace ariadne::slam {
 
@@ -37,8 +37,8 @@ struct SlamParams {
   grid::LikelihoodParams likelihood;
   models::MotionParams motion;
   models::MatcherParams matcher;
-  closing::ClosingParams loop_closing;
-  recovery::RecoveryParams recovery;
+  loops::ClosingParams loop_closing;
+  loops::RecoveryParams recovery;
 };
 
 /// Calls f(section name, parameter struct) for each section.

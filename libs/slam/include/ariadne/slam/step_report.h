@@ -3,9 +3,8 @@
 #include <mrpt/math/TPose2D.h>
 
 #include <cstddef>
-#include <optional>
 
-#include "ariadne/closing/loop_watcher.h"
+#include "ariadne/loops/closing/loop_closer.h"
 
 namespace ariadne::slam {
 
@@ -20,11 +19,7 @@ struct StepReport {
   std::size_t best = 0;       ///< index of s*, Eq. (8)
   mrpt::math::TPose2D map_from_robot;  ///< pose of s*
 
-  closing::LoopState loop_state = closing::LoopState::exploring;
-  std::size_t opportunities = 0;     ///< |I(s*)|, Eq. (7); 0 also while none is looked for
-  std::optional<double> dist_m;      ///< to the entry point by the map, m
-  std::optional<double> dist_g;      ///< and by the graph, m
-  std::size_t unique_ancestors = 0;  ///< of the set at te of the open closing, else c2 of way ago
+  loops::LoopReport loops;
 };
 
 }  // namespace ariadne::slam

@@ -1,0 +1,139 @@
+// Predict, match and weigh: the sampling and importance weighting of the paper's Section III, with
+// the improved proposal of Grisetti, Stachniss and Burgard (models/proposal.h).
+#include <cmath>
+#include <numeric>
+
+#include "ariadne/filter/particle_set.h"
+#include "ariadne/geometry/covariance.h"
+#include "ariadne/geometry/pose.h"
+
+namespace ariadne::filter {
+
+using mrpt::math::TPose2D;
+
+namespace {
+
+/// A way that no scan checks drifts by more than the noise of its steps, since wheels are not as
+/// round and as large as they are told: variances of (x, y, heading) per metre.
+Eigen::Matrix3d uncheckedDriftPerMetre() {
+  const double turn = 0.3 * M_PI / 180;
+  return Eigen::Vector3d(0.03, 0.015, turn).cwiseAbs2().asDiagonal();
+}
+
+}  // namespace
+
+void ParticleSet::predict(const TPose2D& increment) {
+  increment_ = increment;
+  if (models_.motion.learn)
+    predictBy({learner_.corrected(increment), learner_.params()});
+  else
+    predictBy({increment, models_.motion});
+}
+
+void ParticleSet::predict(const TPose2D& increment, const Eigen::Matrix3d& covariance) {
+  increment_ = increment;
+  predictBy({increment, covariance});
+}
+
+void ParticleSet::predictBy(const models::Motion& motion) {
+  motion_ = motion;
+  figures_ = {};
+  candidates_.assign(size(), {});
+  for (std::size_t i = 0; i < size(); ++i) {
+    const TPose2D& before = (*this)[i].map_from_robot;
+    candidates_[i].prior = {motion.mean(before), motion.covariance(before)};
+    candidates_[i].match.map_from_robot = candidates_[i].prior.mean;
+  }
+}
+
+void ParticleSet::match(const grid::Scan& scan) {
+  if (!matches()) return;
+  parallel_.forEach(size(), [&](std::size_t i) {
+    const Particle& particle = (*this)[i];
+    const models::PosePrior& prior = candidates_[i].prior;
+    candidates_[i].match =
+        recent_.settled(matcher_(particle.map, scan.features, prior.mean, prior.covariance), prior,
+                        matcher_, scan.features, particle.ancestor);
+  });
+}
+
+void ParticleSet::weigh(const grid::Scan& scan) {
+  figures_.evidence = evidenceOfPlace();
+  parallel_.forEach(size(), [&](std::size_t i) { draw(i, scan); });
+  learnMotion(candidates_[best()]);
+  for (std::size_t i = 0; i < size(); ++i) {
+    const Candidate& c = candidates_[i];
+    const double log_increment = figures_.evidence * c.log_weight;
+    Particle& particle = m_particles[i].d;
+    m_particles[i].log_w += log_increment;
+    particle.map_from_robot = c.pose;
+    particle.ancestor =
+        std::make_shared<Ancestor>(std::move(particle.ancestor), step_, c.pose, log_increment);
+    figures_.matches_accepted += c.match.accepted;
+  }
+  const std::vector<double> w = weights();
+  for (std::size_t i = 0; i < size(); ++i)
+    figures_.log_likelihood += w[i] * candidates_[i].log_likelihood;
+  normalizeWeights();
+  parents_.resize(size());
+  std::iota(parents_.begin(), parents_.end(), 0);
+  twin_ = parents_;
+}
+
+/// The particle's pose from its proposal, and its weight there.
+void ParticleSet::draw(std::size_t i, const grid::Scan& scan) {
+  const Particle& particle = (*this)[i];
+  const FilterParams& p = models_.filter;
+  Candidate& c = candidates_[i];
+  const auto stream = [&](core::Purpose purpose) {
+    return core::RandomStream(p.seed, static_cast<std::uint32_t>(step_),
+                              static_cast<std::uint32_t>(i), purpose);
+  };
+  if (!map_is_known_) {
+    c.pose = c.prior.mean;
+    return;
+  }
+  if (p.proposal == Proposal::improved) {
+    const models::PoseGaussian fit =
+        models::fitProposal(likelihood_, particle.map, scan.features, c.match.map_from_robot,
+                            c.prior, {p.proposal_gain, p.weight_gain});
+    auto rng = stream(core::Purpose::proposal);
+    c.pose = fit.sample(rng);
+    c.information = fit.information;
+    c.log_likelihood = fit.log_likelihood;
+    c.log_weight = fit.log_weight;
+    return;
+  }
+  if (p.proposal == Proposal::odometry) {
+    auto rng = stream(core::Purpose::motion);
+    c.pose = motion_->sample(particle.map_from_robot, rng);
+  } else {
+    c.pose = c.match.map_from_robot;
+  }
+  c.log_likelihood = likelihood_(particle.map, scan.features, c.pose);
+  c.log_weight = p.weight_gain * c.log_likelihood;
+}
+
+double ParticleSet::evidenceOfPlace() const {
+  const FilterParams& p = models_.filter;
+  if (p.revisit_exponent == 0 && p.new_ground_weight == 1) return 1;
+  const std::size_t passes = earlierPasses((*this)[best()].ancestor, p.revisit_radius_m);
+  if (passes == 0) return p.new_ground_weight;
+  return std::pow(static_cast<double>(passes), -p.revisit_exponent);
+}
+
+/// What the step of s* tells about the odometry, and how well the step is known.
+void ParticleSet::learnMotion(const Candidate& star) {
+  const TPose2D before = (*this)[best()].map_from_robot;
+  const Eigen::Matrix3d covariance =
+      (star.prior.covariance.inverse() + models::kCalibratedGain * star.information).inverse();
+  const Eigen::Matrix3d to_robot = geometry::turnedBy(-before.phi);
+  figures_.motion_covariance = to_robot * covariance * to_robot.transpose();
+  if (star.information.isZero(0))
+    figures_.motion_covariance += std::hypot(increment_.x, increment_.y) * uncheckedDriftPerMetre();
+  if (models_.motion.learn && star.match.accepted && !motion_->isGiven())
+    learner_.add(increment_, geometry::relativePose(before, star.match.map_from_robot), before,
+                 star.information, models_.filter.proposal_gain);
+}
+
+}  // namespace ariadne::filter

@@ -1,0 +1,25 @@
+// A scan in all the forms that an update of the filter needs, made once, where it comes in.
+#pragma once
+#include <mrpt/obs/CObservation2DRangeScan.h>
+
+#include <vector>
+
+#include "ariadne/grid/scan_shape.h"
+
+namespace ariadne::grid {
+
+struct Scan {
+  mrpt::obs::CObservation2DRangeScan::Ptr raw;  ///< as it was recorded
+  ScanShape shape;                              ///< by which it enters maps
+  std::vector<std::size_t> beams;               ///< of each of shape.hits
+  std::vector<mrpt::math::TPoint2D> features;   ///< by which it is matched: scanFeatures()
+
+  /// Those of shape.hits with a reading under `range_m`, m, robot's frame.
+  std::vector<mrpt::math::TPoint2D> hitsWithin(double range_m) const;
+};
+
+/// @param most_features they are thinned to this number, see thinned()
+Scan takeScan(mrpt::obs::CObservation2DRangeScan::Ptr raw, const GridParams& params,
+              std::size_t most_features);
+
+}  // namespace ariadne::grid
