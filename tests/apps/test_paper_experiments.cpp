@@ -81,7 +81,8 @@ TEST_P(PaperExperiments, ASeedIsWithinTheCommittedResults) {
 
 INSTANTIATE_TEST_SUITE_P(
     Each, PaperExperiments,
-    ::testing::Values(Small{"nested_loop", "1001", {}}, Small{"other_environment", "1001", {}},
+    ::testing::Values(Small{"nested_loop", "1001", {}}, Small{"nested_loop_closed", "4001", {"world=nested"}},
+                      Small{"other_environment", "1001", {}},
                       Small{"killian_court", "1001", {}},
                       Small{"survivors", "1001", {"world=nested2"}},
                       Small{"neff", "1001", {"world=nested"}}, Small{"three_loops", "2001", {}},
@@ -112,7 +113,7 @@ TEST(PaperInis, AllCanBePlannedAndHaveCommittedResults) {
     for (const char* file : {"table.txt", "table.csv", "table.md", "table.tex", "runs.csv"})
       EXPECT_TRUE(fs::exists(kResults / name / file)) << file;
   }
-  EXPECT_EQ(count, 17U);
+  EXPECT_EQ(count, 18U);
 }
 
 TEST(PaperInis, AMissingLogFailsThePlanAndIsNamed) {
