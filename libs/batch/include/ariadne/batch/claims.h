@@ -10,6 +10,8 @@
 
 namespace ariadne::batch {
 
+/// Hard links in a folder that say which runs are somebody's: several runners and machines share
+/// the work without a daemon.
 class Claims {
  public:
   /// An owner on another machine is taken for dead when it gave no sign of life for `patience`.
@@ -56,6 +58,7 @@ class Claims {
   std::map<std::string, int> own_;  ///< number of each claim
 };
 
+/// Of this machine, as claims name it.
 std::string hostName();
 
 /// The host's name and what tells it from others of that name, and its containers from each other:

@@ -6,6 +6,7 @@
 
 namespace ariadne::batch {
 
+/// Of the text's bytes.
 std::string hashOf(const std::string& text);
 
 /// Size, time and inode of a file and of what counts with it (FileHashes): another file has others.

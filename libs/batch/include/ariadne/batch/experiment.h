@@ -18,6 +18,7 @@ struct Setting {
   std::string value;
 };
 
+/// An arm of an experiment, as its section [arm.NAME] says.
 struct Arm {
   std::string name;
   std::string where;  ///< of the section, for errors
@@ -39,12 +40,14 @@ struct Factor {
   std::map<std::string, std::vector<Setting>> settings;  ///< by value; one without has none
 };
 
+/// Section [limits] of an experiment: what a run may take before it is ended and counts as failed.
 struct Limits {
   double time_s = 3600;  ///< wall clock of a run
   int threads = 1;       ///< of a run; the result is the same on any number
   bool keep_files = false;
 };
 
+/// An experiment's INI, read and checked; nothing is planned yet.
 struct Experiment {
   std::filesystem::path file;
   std::string text;  ///< of the file

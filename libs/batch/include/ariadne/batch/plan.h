@@ -10,6 +10,7 @@
 
 namespace ariadne::batch {
 
+/// An arm whose program was found.
 struct PlannedArm {
   std::string name;
   std::string prefix;  ///< see Arm
@@ -17,6 +18,7 @@ struct PlannedArm {
   std::string truth;  ///< path, or empty
 };
 
+/// One run: an arm, the factors' values and a seed.
 struct PlannedRun {
   std::uint64_t seed = 0;
   std::vector<std::string> values;  ///< of the factors, in their order

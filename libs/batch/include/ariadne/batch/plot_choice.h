@@ -8,10 +8,12 @@ namespace ariadne::batch {
 /// What the rate of successes is called where figures are named.
 inline constexpr const char* kSuccessPlot = "success";
 
+/// Section [plots] of an experiment: which figures are drawn, over what.
 struct PlotChoice {
   std::vector<std::string> figures = {"all"};  ///< or "none", or of [figures] names and "success"
   std::string over;  ///< factor along the axis; empty: the first one of numbers, else the first
 
+  /// Whether this figure is drawn.
   bool has(const std::string& figure) const;
 };
 

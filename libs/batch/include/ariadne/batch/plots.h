@@ -8,6 +8,7 @@
 
 namespace ariadne::batch {
 
+/// A plot as it was drawn: the bytes of both files.
 struct Picture {
   std::string name;  ///< as Plot's
   std::string svg;   ///< the same bytes for the same plot and gnuplot

@@ -25,6 +25,7 @@ struct ProgramDescription {
 /// Those of ours, and at the end the one for any other.
 const std::vector<ProgramDescription>& programDescriptions();
 
+/// A program that makes runs.
 struct Program {
   std::filesystem::path path;
 

@@ -9,10 +9,12 @@
 
 namespace ariadne::batch {
 
+/// Of the plan's different runs, how many there are of each kind.
 struct Counts {
   std::size_t planned = 0;  ///< different runs
   std::size_t finished = 0;
   std::size_t failed = 0;
+  /// Runs that have no result yet.
   std::size_t missing() const { return planned - finished - failed; }
 };
 

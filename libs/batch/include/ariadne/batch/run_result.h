@@ -6,6 +6,7 @@
 
 namespace ariadne::batch {
 
+/// What is kept of one run: the file runs/KEY.json.
 struct RunResult {
   std::string key;
   std::string about;       ///< "seed 3, laps 10, frontier": the run that was asked for first

@@ -17,6 +17,7 @@ struct ScheduleProgress {
   const RunResult* result = nullptr;
 };
 
+/// How many runs at once, which of them, when to stop, who is told.
 struct ScheduleOptions {
   int jobs = 1;
   std::size_t slice = 1;  ///< 1 to slices: every slices-th run from there
@@ -25,6 +26,7 @@ struct ScheduleOptions {
   std::function<void(const ScheduleProgress&)> tell = [](const ScheduleProgress&) {};
 };
 
+/// What a call of the scheduler came to.
 struct ScheduleEnd {
   std::size_t done = 0;    ///< in this call
   std::size_t failed = 0;  ///< of those

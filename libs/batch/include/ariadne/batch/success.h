@@ -16,6 +16,7 @@ using Figures = std::map<std::string, double>;
 /// Nothing for a figure that is not there or NaN.
 std::optional<double> valueOf(const Figures& figures, const std::string& name);
 
+/// What a run came to by the experiment's condition.
 enum class Judgement {
   success,
   no_success,
@@ -30,6 +31,7 @@ struct Success {
 
   /// A run without the figure is no success.
   Judgement of(const Figures& figures) const;
+  /// The condition: "ate_rmse_m < 0.5", or a figure alone that is to be true.
   std::string text() const;
 };
 

@@ -36,6 +36,7 @@ struct Cell {
   std::vector<std::vector<double>> changes;
   std::optional<Pairs> pairs;  ///< not of the first arm
 
+  /// Finished runs of which success could be told.
   std::size_t judged() const { return finished - unjudged; }
 };
 

@@ -12,6 +12,7 @@ namespace ariadne::batch {
 using process::Process;
 using process::ProcessEnd;
 
+/// One run under way in a scratch folder of its own.
 class Worker {
  public:
   /// @param out a folder that the run gets for itself; its parents exist
@@ -29,7 +30,9 @@ class Worker {
   bool wasTold() const { return was_told_; }
   /// Moves the files of a successful run to their place, where that was asked for.
   void keepFiles() const;
+  /// The run as planned.
   const PlannedRun& run() const { return run_; }
+  /// Its process, to wait for.
   const Process& process() const { return process_; }
 
  private:

@@ -7,6 +7,7 @@
 
 namespace ariadne::charts {
 
+/// A line through points; x and y are as many.
 struct Curve {
   std::string name;
   std::vector<double> x;
@@ -28,6 +29,7 @@ struct Band {
   double grey = 0.9;  ///< 0 black, 1 white
 };
 
+/// What one picture shows.
 struct CurveChart {
   std::string title;
   std::string x_label;

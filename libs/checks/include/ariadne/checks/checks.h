@@ -8,6 +8,7 @@
 
 namespace ariadne::checks {
 
+/// One figure of a run that is looked at, and what is wrong where it is out of bounds.
 struct Check {
   std::string name;     ///< as in summary.json
   double value = 0;     ///< a share or ratio
@@ -26,6 +27,7 @@ struct MapFigures {
   std::size_t matches_accepted = 0;
 };
 
+/// Of the map made of it, after the last update.
 std::vector<Check> checkMap(const DriveFigures& drive, const MapFigures& map);
 
 /// Those of the warnings that there are.

@@ -8,6 +8,7 @@
 
 namespace ariadne::checks {
 
+/// What the steps of a log show of its sensors.
 struct DriveFigures {
   std::size_t scans = 0;
   std::size_t blind_scans = 0;     ///< hardly a beam returned
@@ -15,13 +16,16 @@ struct DriveFigures {
   double odometry_m = 0;           ///< length, without the jumps
 };
 
+/// Counts DriveFigures while the steps pass.
 class DriveWatch {
  public:
   /// @param least_returns of grid::isBlind()
   DriveWatch(const grid::GridParams& grid, double least_returns)
       : grid_(grid), least_returns_(least_returns) {}
 
+  /// The next step, with or without a scan.
   void add(const models::SensorStep& step);
+  /// Of all steps that were added.
   const DriveFigures& figures() const { return figures_; }
 
  private:

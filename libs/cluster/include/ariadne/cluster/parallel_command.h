@@ -8,6 +8,7 @@
 
 namespace ariadne::cluster {
 
+/// How GNU parallel is called.
 struct ParallelOptions {
   std::filesystem::path sshloginfile;  ///< a machine a line; ":" is this one
   int host_limit = 0;                  ///< slices at a time on a machine; 0: by its cores
@@ -24,6 +25,7 @@ struct JoblogCounts {
   std::size_t ended = 0;
   std::size_t failed = 0;
 };
+/// Empty where there is no such file. A slice that was tried again counts as it ended at last.
 JoblogCounts readJoblog(const std::filesystem::path& joblog);
 
 }  // namespace ariadne::cluster

@@ -5,6 +5,7 @@
 
 namespace ariadne::cluster {
 
+/// What sbatch is told; empty or 0: the cluster's own choice.
 struct SlurmOptions {
   std::string partition;
   std::string time;               ///< of a task, in Slurm's notation; empty: the partition's

@@ -20,6 +20,7 @@ struct Task {
   std::string reason;  ///< "Resources", of one that waits
 };
 
+/// What squeue says of our jobs.
 struct Queue {
   std::string problem;  ///< empty: squeue answered
   std::vector<Task> tasks;
@@ -28,6 +29,7 @@ struct Queue {
 /// All tasks of jobs with these names, of any user.
 Queue askSqueue(const std::vector<std::string>& names);
 
+/// What sacct says of jobs that have ended.
 struct Account {
   std::string problem;                        ///< empty: sacct answered
   std::map<std::string, std::size_t> states;  ///< tasks by state

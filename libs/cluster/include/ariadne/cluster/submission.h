@@ -7,6 +7,7 @@
 
 namespace ariadne::cluster {
 
+/// One call of submit: a folder with its script and slices.
 struct Submission {
   std::size_t number = 0;
   std::string engine;  ///< "slurm", "parallel"
@@ -17,6 +18,7 @@ struct Submission {
   std::string plan;                 ///< hash of the plan.json that was sliced
 };
 
+/// All submissions of a results folder.
 class Submissions {
  public:
   /// @param results the results folder
@@ -28,6 +30,7 @@ class Submissions {
   void put(const Submission& submission) const;
   /// Those with a job.json, by number. Throws core::Error for a damaged one.
   std::vector<Submission> all() const;
+  /// Where its script, slices and output lie.
   std::filesystem::path folder(const Submission& submission) const;
 
  private:

@@ -26,6 +26,7 @@ struct Bounds {
   double max = std::numeric_limits<double>::infinity();
 };
 
+/// Names of an enumeration's values, in the order that help shows them.
 template <class Enum>
 using Choices = std::vector<std::pair<std::string, Enum>>;
 
@@ -35,8 +36,10 @@ std::string describe(const Bounds& bounds);
 /// Throws UsageError naming section, key, value and bounds when a field is out of them.
 class ValidatingVisitor {
  public:
+  /// @param section named in errors
   explicit ValidatingVisitor(std::string section) : section_(std::move(section)) {}
 
+  /// A number: throws UsageError naming section, key and bounds when it lies outside or is nan.
   template <class T>
   void number(const char* key, T& value, const Bounds& bounds, const char*) {
     const double v = static_cast<double>(value);
@@ -44,8 +47,11 @@ class ValidatingVisitor {
       throw UsageError(fmt::format("[{}] {} = {} is out of bounds: it takes {}", section_, key,
                                    value, describe(bounds)));
   }
+  /// Nothing to check.
   void flag(const char*, bool&, const char*) {}
+  /// Nothing to check.
   void text(const char*, std::string&, const char*) {}
+  /// Nothing to check.
   template <class Enum>
   void choice(const char*, Enum&, const Choices<Enum>&, const char*) {}
 

@@ -12,6 +12,7 @@ std::string printable(std::string_view text);
 /// The name with the least edit distance (case counts little); empty when there are none.
 std::string nearestName(std::string_view name, const std::vector<std::string>& known);
 
+/// Of ASCII letters; others must be the same.
 bool equalIgnoringCase(std::string_view a, std::string_view b);
 
 }  // namespace ariadne::core

@@ -12,6 +12,7 @@ class Parallel {
   /// @param threads 1 runs in the caller; 0 takes one thread a core.
   explicit Parallel(int threads);
   ~Parallel();
+  /// Threads that work, this one included.
   int threads() const { return threads_; }
   /// Calls body(i) for i in [0, count). The first exception is rethrown.
   void forEach(std::size_t count, const std::function<void(std::size_t)>& body) const;

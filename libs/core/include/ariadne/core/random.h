@@ -22,10 +22,14 @@ enum class Purpose : std::uint32_t {
   test = 99
 };
 
+/// Random numbers that depend on a key and on nothing else: Random123's Philox, keyed by seed,
+/// step, particle and purpose, so that threads and order do not matter (Salmon et al., SC 2011).
 class RandomStream {
  public:
+  /// The same four give the same numbers, on any machine.
   RandomStream(std::uint64_t seed, std::uint32_t step, std::uint32_t particle, Purpose purpose);
 
+  /// The next 32 random bits.
   std::uint32_t bits();
   /// Uniform in the open interval (0, 1).
   double uniform();

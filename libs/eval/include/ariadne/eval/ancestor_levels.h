@@ -10,8 +10,10 @@
 
 namespace ariadne::eval {
 
+/// Walks back through the ancestry of a particle set, one filter update at a time.
 class AncestorLevels {
  public:
+  /// Distinct ancestors, without owning them.
   using Nodes = std::vector<const filter::Ancestor*>;
 
   /// Stands at the leaves' latest step. Null leaves have no ancestors and are left out. The leaves
@@ -20,6 +22,7 @@ class AncestorLevels {
 
   /// True when the walk is above all roots.
   bool done() const { return level_.empty(); }
+  /// The update at which the walk stands.
   std::size_t step() const { return step_; }
   /// The distinct ancestors at step(); the leaves themselves where they are of that step.
   const Nodes& level() const { return level_; }

@@ -18,12 +18,14 @@ struct ErrorFigures {
   double max = 0;
 };
 
+/// RMSE, mean, standard deviation, median and largest of the errors; zeros of none.
 ErrorFigures figuresOf(std::vector<double> errors);
 
 /// Distance of each aligned estimate from the truth, m, in the pairs' order.
 std::vector<double> absoluteErrors(const std::vector<PosePair>& pairs,
                                    const mrpt::math::TPose2D& truth_from_estimate);
 
+/// Errors of relative poses (Sturm et al., IROS 2012), one of each per pair.
 struct RelativeErrors {
   std::vector<double> translation_m;
   std::vector<double> rotation_deg;

@@ -7,6 +7,7 @@
 
 namespace ariadne::eval {
 
+/// Of confidence, ends included.
 struct Interval {
   double low = 0;
   double high = 0;

@@ -10,6 +10,7 @@
 
 namespace ariadne::eval {
 
+/// The kernel that makes a density of weighted poses, and where such a density ends.
 struct KernelParams {
   double bandwidth_m = 0.1;
   double heading_bandwidth_deg = 0;
@@ -29,6 +30,7 @@ void visitFields(V& v, KernelParams& p) {
            "a sample without another within this many bandwidths is lost");
 }
 
+/// How far two weighted sets of poses are apart, and for which share of them that is a guess.
 struct Divergence {
   double kl_nats = 0;       ///< KL(p || q), estimated; may be slightly under 0
   double lost_mass = 0;     ///< weight of p's samples with no sample of q near, 0 to 1

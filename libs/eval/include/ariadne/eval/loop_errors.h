@@ -9,6 +9,7 @@
 
 namespace ariadne::eval {
 
+/// Which pairs of true poses are a loop closure: near each other, with a long way between.
 struct LoopParams {
   double near_m = 2;
   double apart_m = 10;
@@ -37,6 +38,7 @@ void visitFields(V& v, CorrectBounds& p) {
            "largest error of heading across a true loop closure in a correct run");
 }
 
+/// The error of one relative pose across a loop.
 struct LoopError {
   std::size_t first = 0;     ///< index in the truth
   std::size_t second = 0;    ///< later index in the truth
@@ -44,6 +46,7 @@ struct LoopError {
   double heading_deg = 0;    ///< its turn, 0 to 180
 };
 
+/// All closures of a path and what they sum up to.
 struct LoopErrors {
   std::vector<LoopError> closures;  ///< by second, then by first; empty when no loop is there
   std::size_t unmatched = 0;        ///< true closures for which the estimate has no pose

@@ -8,6 +8,7 @@
 
 namespace ariadne::eval {
 
+/// When a path counts as being at a point again.
 struct PassParams {
   double near_m = 1;     ///< the path is at a point again when it comes nearer than this
   double apart_m = 20;   ///< with more path than this between two passes

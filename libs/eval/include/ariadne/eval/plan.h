@@ -10,6 +10,7 @@ struct PlanGoal {
   double level = 0.05;  ///< two-sided
 };
 
+/// How many runs an experiment needs to show a difference of rates.
 struct Plan {
   std::size_t runs = 0;  ///< seeds an arm (unpaired) or pairs
   double power = 0;      ///< the exact test's with that many; the goal's when not exact
@@ -37,6 +38,7 @@ Plan planPaired(double only_first, double only_second, const PlanGoal& goal = {}
 
 /// The formulas themselves, not rounded: without continuity correction (n' above), and Connor's.
 double normalSeeds(double p1, double p2, const PlanGoal& goal = {});
+/// The same for pairs (McNemar).
 double normalPairs(double only_first, double only_second, const PlanGoal& goal = {});
 
 }  // namespace ariadne::eval

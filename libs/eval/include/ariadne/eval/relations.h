@@ -9,6 +9,7 @@
 
 namespace ariadne::eval {
 
+/// Errors of relative poses that were verified by hand (Kümmerle et al., Autonomous Robots 2009).
 struct RelationErrors {
   std::vector<double> translation_m;  ///< one a matched relation
   std::vector<double> rotation_deg;

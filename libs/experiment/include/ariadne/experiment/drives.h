@@ -10,6 +10,7 @@
 
 namespace ariadne::experiment {
 
+/// The drive of an experiment, simulated once, with the noise of any seed.
 class Drives {
  public:
   /// Drives or reads once; observing is cheap. @param laps of a scripted drive; else its file's.
@@ -21,6 +22,7 @@ class Drives {
   sim::SimulatedDrive observe(std::uint64_t seed) const;
   /// Of the file of path or log, without folder and endings.
   const std::string& name() const { return name_; }
+  /// Rounds in the inner loop.
   int laps() const { return laps_; }
 
  private:

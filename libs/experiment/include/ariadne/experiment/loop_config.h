@@ -9,6 +9,7 @@
 
 namespace ariadne::experiment {
 
+/// Files of a drive: a world and a path through it, or a recorded log.
 struct DriveFiles {
   std::string world;
   std::string path;
@@ -41,6 +42,7 @@ void visitFields(V& v, LogNoise& p) {
            "stamps so far apart instead of the log's; 0 keeps them");
 }
 
+/// All settings of a loop experiment: the drive, the filter, how success is told.
 struct LoopConfig {
   DriveFiles files;
   LogNoise log_noise;

@@ -51,6 +51,7 @@ struct InnerLoop {
   double ln_neff_more_per_10m = kNone;
 };
 
+/// Both arms of a pair, on the same drive and seed.
 struct LoopRunResult {
   ArmResult recovered;
   ArmResult standard;  ///< the same as recovered where nothing was recovered

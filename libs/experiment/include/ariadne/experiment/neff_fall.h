@@ -10,6 +10,7 @@
 
 namespace ariadne::experiment {
 
+/// One update of a run as far as Neff goes.
 struct NeffStep {
   double time_s = 0;
   double neff = 0;  ///< before resampling

@@ -10,6 +10,8 @@
 
 namespace ariadne::experiment {
 
+/// A run with a filter of its own for every particle through the loop (the paper's Section V),
+/// beside recovery.
 struct OracleResult {
   ArmResult oracle;
   ArmResult recovered;

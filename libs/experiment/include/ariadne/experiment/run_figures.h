@@ -11,6 +11,7 @@ namespace ariadne::experiment {
 /// Truth values are 0 and 1; what a run has not is NaN or left out.
 using RunFigures = std::vector<std::pair<std::string, double>>;
 
+/// By name.
 RunFigures figuresOf(const LoopRunResult& result);
 /// The oracle has no KL: the others' is from its set.
 RunFigures figuresOf(const OracleResult& result);

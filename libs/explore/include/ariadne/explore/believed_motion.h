@@ -10,11 +10,13 @@
 
 namespace ariadne::explore {
 
+/// Sums up how far the robot believes to have driven and turned.
 class BelievedMotion {
  public:
   /// @param most_m that the robot can go between two scans: a jump of the belief is no motion
   explicit BelievedMotion(double most_m) : most_m_(most_m) {}
 
+  /// The next pose of the belief.
   void add(const mrpt::math::TPose2D& map_from_robot) {
     if (before_) {
       travelled_m_ += std::min(geometry::distance(map_from_robot, *before_), most_m_);
@@ -22,7 +24,9 @@ class BelievedMotion {
     }
     before_ = map_from_robot;
   }
+  /// Since the first pose, m.
   double travelled_m() const { return travelled_m_; }
+  /// Since the first pose, left and right turns added, rad.
   double turned_rad() const { return turned_rad_; }
 
  private:

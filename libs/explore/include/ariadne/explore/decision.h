@@ -25,8 +25,10 @@ struct LoopNumbers {
   std::size_t te = 0;       ///< filter update
 };
 
+/// What a decision is about.
 enum class DecisionKind { frontier, approach, follow, give_up, touched, home, end };
 
+/// One decision of the explorer: what it chose, from what, and why.
 struct Decision {
   DecisionKind kind = DecisionKind::end;
   double time_s = 0;
@@ -38,6 +40,7 @@ struct Decision {
   std::optional<LoopNumbers> loop;
 };
 
+/// As events.json has it.
 const char* nameOf(DecisionKind kind);
 
 }  // namespace ariadne::explore

@@ -13,6 +13,8 @@
 
 namespace ariadne::explore {
 
+/// Decides by belief alone where the robot drives next, and drives it there: to a loop, a frontier,
+/// home.
 class Explorer {
  public:
   /// Throws core::UsageError when a parameter is out of bounds.
@@ -21,12 +23,15 @@ class Explorer {
   /// What to do until the next scan; stands still when it is done.
   models::VelocityCommand step(const Belief& belief);
 
+  /// Whether the exploration has ended, for whatever reason.
   bool done() const { return mode_ == Mode::done; }
   /// Why it ended; empty before.
   const std::string& endReason() const { return end_reason_; }
+  /// All decisions, in order.
   const std::vector<Decision>& decisions() const { return log_.decisions(); }
   /// What it is doing, in words.
   std::string doing() const;
+  /// What is being followed; empty when nothing is.
   const Route& route() const { return follower_.route(); }
   /// All frontiers as of the last decision.
   const std::vector<Frontier>& frontiers() const { return frontier_goal_.frontiers(); }

@@ -10,8 +10,11 @@ namespace ariadne::explore {
 /// As they stand in a decision.
 std::vector<Candidate> candidatesOf(const std::vector<Frontier>& frontiers);
 
+/// To unknown ground: the nearest frontier, or the one of most use for its way (`frontier_choice`;
+/// Yamauchi, CIRA 1997).
 class FrontierGoal {
  public:
+  /// A copy is kept.
   explicit FrontierGoal(const ExploreParams& params) : params_(params) {}
 
   /// Notes another frontier than the one that the robot drives to.

@@ -8,6 +8,7 @@
 
 namespace ariadne::explore {
 
+/// What the robot drives for.
 enum class Purpose { none, frontier, entry, loop, home };
 
 /// What the robot drives to.
@@ -24,11 +25,13 @@ struct Question {
   bool arrived = false;    ///< the robot is where that leads
 };
 
+/// Where to drive, by which heading and route.
 struct Destination {
   Heading heading;
   Route route;  ///< from the robot to there
 };
 
+/// What a goal says when it is asked: where to, or why not.
 struct Answer {
   std::optional<Destination> where;
   std::string why_not;  ///< empty when there is one

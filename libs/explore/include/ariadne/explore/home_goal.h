@@ -4,8 +4,10 @@
 
 namespace ariadne::explore {
 
+/// Back to where the drive began, once nothing else is left.
 class HomeGoal {
  public:
+  /// Only where `drive_home` is set.
   explicit HomeGoal(const ExploreParams& params) : wanted_(params.drive_home) {}
 
   /// Notes that the robot sets out. @param left frontiers that are not gone to, for that note

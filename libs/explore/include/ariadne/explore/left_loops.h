@@ -6,6 +6,7 @@
 
 namespace ariadne::explore {
 
+/// Loops that the explorer has left or given up.
 class LeftLoops {
  public:
   /// @param map of s* now

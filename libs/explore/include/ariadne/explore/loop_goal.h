@@ -7,8 +7,10 @@
 
 namespace ariadne::explore {
 
+/// Through an open loop on purpose: the paper's active closing.
 class LoopGoal {
  public:
+  /// A copy is kept.
   explicit LoopGoal(const ExploreParams& params) : params_(params) {}
 
   /// Notes a loop that is new, and one that it gives up.

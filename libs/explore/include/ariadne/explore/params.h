@@ -8,8 +8,10 @@ namespace ariadne::explore {
 /// are set in the mapping's parameters to match, see applyStrategy().
 enum class Strategy { frontier, active_uncertainty, active_neff, active_neff_recovery };
 
+/// Which frontier is driven to; see `frontier_choice`.
 enum class FrontierChoice { nearest, utility };
 
+/// Section [explore]: each key's meaning and unit stand in visitFields.
 struct ExploreParams {
   Strategy strategy = Strategy::active_neff_recovery;
   FrontierChoice frontier_choice = FrontierChoice::nearest;
@@ -27,6 +29,7 @@ struct ExploreParams {
   bool drive_home = false;
 };
 
+/// Their names in INIs and on the command line.
 inline core::Choices<Strategy> strategies() {
   return {{"frontier", Strategy::frontier},
           {"active_uncertainty", Strategy::active_uncertainty},

@@ -8,8 +8,11 @@
 
 namespace ariadne::explore {
 
+/// What is known of a cell.
 enum class CellKind : std::uint8_t { unknown, free, occupied };
 
+/// A coarse picture of the map for planning: per cell whether it is known, and how far walls and
+/// the unknown are.
 class PlanningGrid {
  public:
   /// A cell is occupied when any of the map's cells in it is, else free when most of them are.
@@ -18,18 +21,24 @@ class PlanningGrid {
   PlanningGrid(const grid::OccupancyGrid& map, double cell_m,
                const std::vector<mrpt::math::TPoint2D>& obstacles);
 
+  /// Cells from west to east.
   int width() const { return width_; }
+  /// Cells from south to north.
   int height() const { return height_; }
+  /// Number of cells; indices go row by row from the south-west.
   int size() const { return width_ * height_; }
+  /// Side of a cell, m.
   double cell_m() const { return cell_m_; }
 
   /// Index of the cell of a point (m, map frame); -1 outside.
   int indexOf(const mrpt::math::TPoint2D& p) const;
+  /// m, map frame.
   mrpt::math::TPoint2D centreOf(int cell) const;
   /// The outermost cells are unknown, so that the neighbours of any other cell are within bounds.
   CellKind kind(int cell) const { return kinds_[cell]; }
   /// Distances from centre to centre, m; up to 6 % too long or 4 % too short (chamfer 3-4).
   double wallDistance(int cell) const { return wall_[cell] * unit_m_; }
+  /// To the nearest unknown cell, m.
   double unknownDistance(int cell) const { return unknown_[cell] * unit_m_; }
   /// Whether no occupied cell is on the line between the two cells' centres, ends apart.
   bool sees(int from, int to) const;

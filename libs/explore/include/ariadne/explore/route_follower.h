@@ -7,12 +7,15 @@
 
 namespace ariadne::explore {
 
+/// Turns a route into velocities, by what is in the way now.
 class RouteFollower {
  public:
+  /// A copy is kept.
   explicit RouteFollower(const ExploreParams& params) : params_(params) {}
 
   /// A new route; an empty one has nowhere to go.
   void take(Route route);
+  /// What is left of it lies ahead of the robot.
   const Route& route() const { return route_; }
   /// First point of the route that is not behind the robot.
   std::size_t next() const { return next_; }

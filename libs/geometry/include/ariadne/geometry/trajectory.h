@@ -6,6 +6,7 @@
 
 namespace ariadne::geometry {
 
+/// A pose and when the robot was there.
 struct StampedPose {
   double time_s = 0;         ///< UNIX time, seconds
   mrpt::math::TPose2D pose;  ///< m and rad, in the frame that the trajectory names

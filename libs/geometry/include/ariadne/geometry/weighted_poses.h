@@ -7,6 +7,7 @@
 
 namespace ariadne::geometry {
 
+/// A distribution over poses as samples with weights.
 struct WeightedPoses {
   std::vector<mrpt::math::TPose2D> poses;  ///< m and rad, all in one frame
   std::vector<double> weights;             ///< one a pose, summing to 1

@@ -16,10 +16,13 @@ template <class T>
 class Cow {
  public:
   Cow() = default;
+  /// Shares the value: one atomic increment.
   Cow(const Cow& other) : node_(other.node_) {
     if (node_) node_->holders.fetch_add(1, std::memory_order_relaxed);
   }
+  /// Takes the value over; `other` is empty then.
   Cow(Cow&& other) noexcept : node_(std::exchange(other.node_, nullptr)) {}
+  /// By swap.
   Cow& operator=(Cow other) noexcept {
     std::swap(node_, other.node_);
     return *this;

@@ -22,8 +22,12 @@ constexpr double kNominalBeams = 180;
 std::vector<mrpt::math::TPoint2D> thinned(const std::vector<mrpt::math::TPoint2D>& points,
                                           std::size_t count);
 
+/// How well the ends of a scan's beams fit the map, by what the likelihood field says there: a
+/// Gaussian of the distance to the next wall, mixed with a uniform part (Thrun et al. 2005, Section
+/// 6.4).
 class EndpointLikelihood {
  public:
+  /// @param field_sigma_m standard deviation that the field was made with, m
   EndpointLikelihood(const LikelihoodParams& params, double field_sigma_m);
 
   /// Log likelihood of the scan, scaled to kNominalBeams, untempered.

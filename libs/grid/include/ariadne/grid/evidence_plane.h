@@ -10,11 +10,13 @@ namespace ariadne::grid {
 
 struct TileMask;
 
+/// Indices of a cell: x to the east, y to the north, from cell (0, 0) at the map's origin.
 struct Cell {
   int x = 0;
   int y = 0;
 };
 
+/// The log odds of all cells, in tiles that maps share until one of them writes.
 class EvidencePlane {
  public:
   static constexpr int kRows = kTileCells;  ///< of a tile
@@ -24,7 +26,9 @@ class EvidencePlane {
   /// @param free log odds that one beam adds to cells it passes, in [1, 127]
   explicit EvidencePlane(std::int8_t free) : counts_(&FreeCounts::of(free)) {}
 
+  /// Log odds as a cell of COccupancyGridMap2D has them: over 0 free, 0 never seen.
   std::int8_t at(int x, int y) const;
+  /// Makes or unshares the tile.
   void set(int x, int y, std::int8_t log_odds);
   /// Takes `occupied` from each of the cells, saturating at kMostOccupied. Appends those that
   /// turned occupied. Quickest where cells of one tile follow each other.
@@ -43,7 +47,9 @@ class EvidencePlane {
     const EvidenceTileRef* handle = tiles_.find(tx, ty);
     return handle ? handle->get() : nullptr;
   }
+  /// A tile unpacked to log odds.
   Cells cellsOf(const EvidenceTile& tile) const;
+  /// Packs a whole tile. @param tx, ty indices of the tile
   void setCells(int tx, int ty, const Cells& cells);
 
   /// Box of the tiles that may hold something, in tile coordinates.
@@ -61,6 +67,7 @@ class EvidencePlane {
   void forEachTile(F&& f) const {
     forEachPacked([&](int tx, int ty, const EvidenceTile& t) { f(tx, ty, cellsOf(t)); });
   }
+  /// Nothing was ever seen.
   void clear() { tiles_.clear(); }
 
  private:

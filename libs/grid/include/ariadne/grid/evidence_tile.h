@@ -19,14 +19,18 @@ class alignas(16) EvidenceTile {
   EvidenceTile(const EvidenceTile&) = delete;
   EvidenceTile& operator=(const EvidenceTile&) = delete;
 
+  /// Planes of bits that hold the counts: enough for the highest one.
   int planes() const { return planes_; }
   /// Word y: bit k of the counts of row y, bit x for cell (x, y); 0 for a cell apart.
   const std::uint32_t* plane(int k) const { return words() + k * kTileCells; }
+  /// As above, to be written by who holds the tile alone.
   std::uint32_t* plane(int k) { return words() + k * kTileCells; }
 
   /// Whether there may be cells apart; the functions below are for such tiles.
   bool hasApart() const { return capacity_ > 0; }
+  /// Cells apart: those in which a beam ended.
   int apartCount() const { return apart_count_; }
+  /// Whether a cell has a byte of its own.
   bool isApart(int x, int y) const { return hasApart() && (apart()[y] >> x & 1U) != 0; }
   /// Cells apart: bit x of word y.
   const std::uint32_t* apart() const { return plane(planes_); }
@@ -34,13 +38,16 @@ class alignas(16) EvidenceTile {
   const std::int8_t* apartValues() const {
     return reinterpret_cast<const std::int8_t*>(apartBegin() + kTileCells);
   }
+  /// To be written by who holds the tile alone.
   std::int8_t* apartValues() {
     return reinterpret_cast<std::int8_t*>(beginForWriting() + kTileCells);
   }
+  /// Per row, the index in apartValues() of its first cell apart.
   const std::uint16_t* apartBegin() const {
     return reinterpret_cast<const std::uint16_t*>(plane(planes_ + 1));
   }
 
+  /// Log odds of a cell of the tile.
   std::int8_t at(int x, int y, const FreeCounts& counts) const;
   /// Bit x: cell (x, y) is free (over 0), is occupied (under 0).
   std::uint32_t freeRow(int y) const {
@@ -48,12 +55,14 @@ class alignas(16) EvidenceTile {
     for (int k = 0; k < planes_; ++k) row |= plane(k)[y];
     return hasApart() && apart()[y] != 0 ? row | apartRow(y).free : row;
   }
+  /// Bit x: cell (x, y) is occupied.
   std::uint32_t occupiedRow(int y) const {
     return hasApart() && apart()[y] != 0 ? apartRow(y).occupied : 0;
   }
 
   /// The count of all cells when this is the tile that all maps share for it, else -1.
   int sharedCount() const { return shared_count_; }
+  /// Memory that the tile takes.
   std::size_t bytes() const { return bytesFor(planes_, capacity_); }
 
   /// Editing is for a tile from EvidenceTileRef::write(). The count must fit the planes.
@@ -95,10 +104,13 @@ class alignas(16) EvidenceTile {
 class EvidenceTileRef {
  public:
   EvidenceTileRef() = default;
+  /// Shares the tile: one atomic increment.
   EvidenceTileRef(const EvidenceTileRef& other) : tile_(other.tile_) {
     if (tile_) tile_->holders_.fetch_add(1, std::memory_order_relaxed);
   }
+  /// Takes the tile over; `other` is empty then.
   EvidenceTileRef(EvidenceTileRef&& other) noexcept : tile_(std::exchange(other.tile_, nullptr)) {}
+  /// By swap.
   EvidenceTileRef& operator=(EvidenceTileRef other) noexcept {
     std::swap(tile_, other.tile_);
     return *this;

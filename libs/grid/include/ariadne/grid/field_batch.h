@@ -21,15 +21,21 @@ class FieldBatch {
   void use(const OccupancyGrid& map, const std::vector<mrpt::math::TPoint2D>& points);
   /// Turns the points (m, robot's frame) into the map's directions: their offsets, m.
   void turn(double heading);
+  /// Number of points.
   std::size_t size() const { return points_->size(); }
+  /// Of each turned point from the robot, m, map frame; size() of them.
   const double* offsetX() const { return offset_x_.data(); }
+  /// As offsetX(), to the north.
   const double* offsetY() const { return offset_y_.data(); }
 
   /// Reads the field at `at` + offset for each point: value() in [0, 1] and gradient, 1/m. All are
   /// 0 where `at` or the heading is not finite or nothing could be mapped that far out.
   void sample(const mrpt::math::TPoint2D& at);
+  /// The field at each point, 0 to 1, as of the last sample().
   const double* value() const { return value_.data(); }
+  /// Its slope to the east, per m.
   const double* dx() const { return dx_.data(); }
+  /// Its slope to the north, per m.
   const double* dy() const { return dy_.data(); }
 
   /// The sum of the field, 0 to 255 each, over the points at `at` + offset, in their order.

@@ -15,8 +15,10 @@ struct FieldSample {
   double dy = 0;
 };
 
+/// Reads the likelihood field between cells' centres (bilinear), one point at a time.
 class FieldSampler {
  public:
+  /// The grid must outlive it and not change.
   explicit FieldSampler(const OccupancyGrid& grid)
       : plane_(grid.field()),
         cells_per_m_(1 / grid.resolution()),
@@ -30,6 +32,7 @@ class FieldSampler {
            (c.v01 * (1 - c.fx) + c.v11 * c.fx) * c.fy;
   }
 
+  /// Value and gradient at (x, y), m, map frame.
   FieldSample sample(double x, double y) {
     const Corners c = corners(x, y);
     const double low = c.v00 * (1 - c.fx) + c.v10 * c.fx;

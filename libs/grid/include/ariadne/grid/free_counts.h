@@ -9,6 +9,8 @@
 
 namespace ariadne::grid {
 
+/// Between counts of free evidence and log odds: the r-th beam through a cell adds the same amount,
+/// up to the most.
 class FreeCounts {
  public:
   static constexpr int kNone = 255;
@@ -16,11 +18,13 @@ class FreeCounts {
   /// The one for f = `amount` in [1, 127]; it lives for ever.
   static const FreeCounts& of(std::int8_t amount);
 
+  /// Log odds that one beam adds.
   std::int8_t amount() const { return amount_; }
   /// The count from which on a cell is kMostFree; none goes higher.
   int most() const { return most_; }
   /// Bits of most().
   int planes() const { return planes_; }
+  /// Of a cell that was seen free this often.
   std::int8_t logOdds(int count) const {
     return static_cast<std::int8_t>(std::min(count * amount_, int{kMostFree}));
   }

@@ -19,7 +19,9 @@ namespace ariadne::grid {
 /// The square of values around one occupied cell.
 class FieldKernel {
  public:
+  /// @param sigma_cells standard deviation of the Gaussian, cells
   explicit FieldKernel(double sigma_cells);
+  /// Cells beyond which the kernel is 0.
   int radius() const { return radius_; }
   /// Value `distance` cells away along one axis, 0..255.
   std::uint8_t along(int distance) const { return line_[radius_ + distance]; }
@@ -42,6 +44,8 @@ class FieldKernel {
   std::vector<std::uint8_t> square_;
 };
 
+/// At each cell how near the next occupied cell is, 0 to 255, as a Gaussian of the distance; kept
+/// up to date as cells change.
 class LikelihoodField {
  public:
   /// Low tiles: along a wall most of a high one is 0, which takes no memory here.
@@ -50,12 +54,15 @@ class LikelihoodField {
   /// @param sigma_cells width in cells; the field is 0 past 3 sigma.
   explicit LikelihoodField(double sigma_cells);
 
+  /// 0 far from any wall, 255 in an occupied cell.
   std::uint8_t at(int x, int y) const { return plane_.at(x, y); }
+  /// The cells themselves.
   const Plane& plane() const { return plane_; }
   /// Cell (x, y) turned occupied.
   void occupy(Cell cell);
   /// Any cells in these boxes turned occupied or ceased to be; `log_odds` is the map after it all.
   void update(const std::vector<CellBox>& changed, const EvidencePlane& log_odds);
+  /// No cell is occupied.
   void clear() { plane_.clear(); }
 
  private:

@@ -16,6 +16,7 @@ struct BeamEvidence {
   std::int8_t occupied = 0;
 };
 
+/// By the probabilities of [grid], rounded to whole log odds, at least 1.
 BeamEvidence beamEvidence(const GridParams& params);
 
 /// Probability that a cell is free; the table of MRPT's COccupancyGridMap2D::l2p.

@@ -19,22 +19,28 @@ struct PlacedScan {
   mrpt::math::TPose2D map_from_robot;
 };
 
+/// A map: log odds and likelihood field in tiles that copies share. A copy costs two increments.
 class OccupancyGrid {
  public:
   /// Throws core::UsageError when a parameter is out of bounds.
   explicit OccupancyGrid(const GridParams& params = {});
 
+  /// Side of a cell, m.
   double resolution() const { return resolution_; }
   /// Corner of cell (0, 0), m; an imported map may lie off the multiples of the resolution.
   const mrpt::math::TPoint2D& origin() const { return origin_; }
+  /// @param p m, map frame
   Cell cellOf(const mrpt::math::TPoint2D& p) const;
+  /// m, map frame.
   mrpt::math::TPoint2D centreOf(Cell c) const;
 
   /// Log odds: over 0 free, under 0 occupied, 0 unknown.
   std::int8_t at(Cell c) const { return cells_.at(c.x, c.y); }
   /// 0..255, 255 on an occupied cell.
   std::uint8_t fieldAt(Cell c) const { return field_.at(c.x, c.y); }
+  /// The log odds.
   const EvidencePlane& cells() const { return cells_; }
+  /// The likelihood field, 0 to 255.
   const LikelihoodField::Plane& field() const { return field_.plane(); }
 
   /// Inserts a scan: every cell inside the outline gets the evidence for free once, every cell that

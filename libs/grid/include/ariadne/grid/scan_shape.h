@@ -10,6 +10,7 @@
 
 namespace ariadne::grid {
 
+/// What a scan says about cells, before it is laid into a map.
 struct ScanShape {
   /// Closed polygon, m, robot's frame: the area between the laser and its readings, each shortened
   /// by one cell so that walls are not cleared.

@@ -25,6 +25,7 @@ struct CellBox {
   int y0 = 0;
   int x1 = 0;
   int y1 = 0;
+  /// Without cells.
   bool empty() const { return x0 >= x1 || y0 >= y1; }
 };
 
@@ -58,6 +59,7 @@ class TileTable {
     return {root->box.x0 * kBlockTiles, root->box.y0 * kBlockTiles, root->box.x1 * kBlockTiles,
             root->box.y1 * kBlockTiles};
   }
+  /// No tile is there.
   void clear() { root_ = {}; }
 
  private:

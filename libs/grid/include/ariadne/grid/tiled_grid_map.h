@@ -12,23 +12,29 @@
 
 namespace ariadne::grid {
 
+/// An OccupancyGrid as a map of MRPT, for its builders, likelihoods and files.
 class TiledGridMap : public mrpt::maps::CMetricMap {
   DEFINE_SERIALIZABLE(TiledGridMap, ariadne::grid)
 
  public:
   /// Throws core::UsageError when a parameter is out of bounds.
   explicit TiledGridMap(const GridParams& params = {}, const LikelihoodParams& likelihood = {});
+  /// With what the grid holds.
   explicit TiledGridMap(OccupancyGrid grid, const GridParams& params,
                         const LikelihoodParams& likelihood = {});
 
   /// The map itself; a copy of it is a cheap checkpoint.
   const OccupancyGrid& grid() const { return grid_; }
+  /// How scans are inserted.
   const GridParams& params() const { return params_; }
 
+  /// Whether no cell was ever seen.
   bool isEmpty() const override;
+  /// For people: how many cells are known, and their size.
   std::string asString() const override;
   /// Writes <prefix>_tiled.gridmap.gz, a COccupancyGridMap2D. Throws when that cannot be written.
   void saveMetricMapRepresentationToFile(const std::string& prefix) const override;
+  /// As COccupancyGridMap2D draws itself.
   void getVisualizationInto(mrpt::opengl::CSetOfObjects& out) const override;
 
  private:

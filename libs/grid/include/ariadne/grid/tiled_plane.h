@@ -22,6 +22,7 @@ class TiledPlane {
  public:
   static constexpr int kRowBits = RowBits;
   static constexpr int kRows = 1 << RowBits;
+  /// kTileCells x kRows values, row by row from the south.
   using Tile = std::array<T, kTileCells * kRows>;
 
   /// Cell (x, y)'s place in its tile.
@@ -29,10 +30,12 @@ class TiledPlane {
     return ((y & (kRows - 1)) << kTileBits) | (x & (kTileCells - 1));
   }
 
+  /// The value of a cell; T{} where no tile is.
   T at(int x, int y) const {
     const Tile* t = tile(x >> kTileBits, y >> RowBits);
     return t ? (*t)[offset(x, y)] : T{0};
   }
+  /// Makes or unshares the cell's tile.
   void set(int x, int y, T value) { writeTile(x >> kTileBits, y >> RowBits)[offset(x, y)] = value; }
 
   /// Tile with tile coordinates (x >> kTileBits, y >> RowBits); null where nothing was written.
@@ -54,6 +57,7 @@ class TiledPlane {
       for (int tx = box.x0; tx < box.x1; ++tx)
         if (const Tile* t = tile(tx, ty)) f(tx, ty, *t);
   }
+  /// T{} everywhere.
   void clear() { tiles_.clear(); }
 
  private:

@@ -7,6 +7,7 @@ namespace ariadne::grid {
 
 /// One axis of the walk: the share t in [0, 1] of the segment at which the next border is crossed.
 struct TraverseAxis {
+  /// @param from, to in cells; @param cell the one that `from` lies in
   TraverseAxis(double from, double to, int cell)
       : step(to > from ? 1 : -1),
         per_cell(to == from ? std::numeric_limits<double>::infinity() : 1 / std::abs(to - from)),

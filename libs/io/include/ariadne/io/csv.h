@@ -8,6 +8,7 @@
 
 namespace ariadne::io {
 
+/// A table of a CSV file: a header, then rows of as many cells.
 class CsvTable {
  public:
   /// Takes cells in quotes, line ends of any system and empty lines at the end. Throws core::Error
@@ -15,8 +16,11 @@ class CsvTable {
   /// than the header.
   CsvTable(std::string_view text, std::string name);
 
+  /// Names of the columns.
   const std::vector<std::string>& header() const { return header_; }
+  /// Rows without the header.
   std::size_t size() const { return rows_.size(); }
+  /// Cells of row i, from 0.
   const std::vector<std::string>& row(std::size_t i) const { return rows_[i].cells; }
   /// Index of a column. Throws core::Error when there is none of the name.
   std::size_t column(const std::string& name) const;

@@ -4,8 +4,8 @@
 #pragma once
 #include <cstddef>
 #include <filesystem>
-#include <map>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,6 +16,7 @@
 
 namespace ariadne::io {
 
+/// How a log is read; the defaults take what the log itself says.
 struct DatasetOptions {
   /// The laser to use: a rawlog's sensorLabel; FLASER, RLASER, ROBOTLASER1, ... in a CARMEN log.
   /// Empty: the only one. (FLASER repeats ROBOTLASER1 where a log has both: the latter is used;
@@ -108,6 +109,7 @@ class StepSource {
   virtual std::optional<models::SensorStep> next() = 0;
   /// How much of the file was read, 0 to 1.
   virtual double fraction() const = 0;
+  /// Of what was read up to now.
   virtual const DatasetCounts& counts() const = 0;
   /// Counted, one line a kind; final after the last step.
   virtual std::vector<std::string> warnings() const = 0;

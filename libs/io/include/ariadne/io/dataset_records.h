@@ -34,22 +34,26 @@ struct LaserRecord {
   mrpt::obs::CObservation2DRangeScan::Ptr scan;
   std::optional<double> time_s;
   std::optional<mrpt::math::TPose2D> odom_from_robot;
-  std::string problem;  ///< why the beams' angles are not known; the aperture is 0 then
+  std::string problem;      ///< why the beams' angles are not known; the aperture is 0 then
   bool place_known = true;  ///< of the laser on the robot; else the scan says its centre
 };
 
+/// One entry of a log.
 using LogRecord = std::variant<OdometryIncrement, OdometryReading, LaserRecord>;
 
+/// A log of any format as records, in the file's order.
 class RecordSource {
  public:
   virtual ~RecordSource() = default;
   /// The next record; nullopt at the end or at the damage.
   virtual std::optional<LogRecord> next() = 0;
+  /// Share of the file that was read, 0 to 1.
   virtual double fraction() const = 0;
   /// How often each class (rawlog) or line type (CARMEN) was met so far.
   virtual const std::map<std::string, std::size_t>& classes() const = 0;
   /// Where and how the file is broken; empty while it is not.
   virtual const std::string& damage() const = 0;
+  /// Lines of text logs that could not be read and were passed over.
   virtual std::size_t malformedLines() const = 0;
   /// "MRPT rawlog", "CARMEN log", "ROS 1 bag", ...
   virtual const char* format() const = 0;

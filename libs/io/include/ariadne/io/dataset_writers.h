@@ -20,6 +20,7 @@ std::size_t writeRawlog(const std::filesystem::path& path, const NextStep& next)
 /// times are read back to the bit. Returns and throws as writeRawlog.
 std::size_t writeObservationRawlog(const std::filesystem::path& path, const NextStep& next);
 
+/// The kind of line that a laser's scans are written as.
 enum class CarmenLaser {
   /// ROBOTLASER1 lines carry start angle, resolution and maximum range: any planar laser fits.
   robotlaser,

@@ -32,6 +32,7 @@ core::UsageError entryError(const IniEntry& entry, const std::string& what);
 /// "a number, 0 to 1".
 std::string takesNumber(bool whole, const core::Bounds& bounds);
 
+/// Names of the choices, in their order.
 template <class Enum>
 std::vector<std::string> namesOf(const core::Choices<Enum>& choices) {
   std::vector<std::string> names;
@@ -50,8 +51,10 @@ std::string nameOf(Enum value, const core::Choices<Enum>& choices) {
 /// Visitor that puts an entry's value into the field of that key, and knows all keys met.
 class FieldSetter {
  public:
+  /// Sets the field that this entry names.
   explicit FieldSetter(const IniEntry& entry) : entry_(entry) {}
 
+  /// A number within its bounds, else core::UsageError.
   template <class T>
   void number(const char* key, T& value, const core::Bounds& bounds, const char*) {
     if (!takes(key)) return;
@@ -60,18 +63,23 @@ class FieldSetter {
     else
       value = static_cast<T>(realOf(entry_, bounds));
   }
+  /// true or false, else core::UsageError.
   void flag(const char* key, bool& value, const char*) {
     if (takes(key)) value = flagOf(entry_);
   }
+  /// Any text.
   void text(const char* key, std::string& value, const char*) {
     if (takes(key)) value = entry_.value;
   }
+  /// One of the names, else core::UsageError.
   template <class Enum>
   void choice(const char* key, Enum& value, const core::Choices<Enum>& choices, const char*) {
     if (takes(key)) value = choices[choiceOf(entry_, namesOf(choices))].second;
   }
 
+  /// Whether a field had the entry's key.
   bool found() const { return found_; }
+  /// All keys that were visited.
   const std::vector<std::string>& keys() const { return keys_; }
 
  private:
@@ -91,8 +99,10 @@ struct KnownSection {
   std::string name;
   std::vector<std::string> keys;
 };
+/// To be thrown: names the section, where it stands, and the nearest there is.
 core::UsageError unknownSection(const std::string& section, const std::string& where,
                                 const std::vector<KnownSection>& known);
+/// To be thrown: names the key and the nearest there is, here or in another section.
 core::UsageError unknownKey(const IniEntry& entry, const std::vector<KnownSection>& known);
 
 /// Sets the one field that the entry names. Throws core::UsageError when there is none (with the

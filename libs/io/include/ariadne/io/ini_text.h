@@ -25,18 +25,21 @@ struct IniEntry {
   std::string where;
 };
 
+/// [NAME] of an INI, and in which line.
 struct IniSection {
   std::string name;
   std::string where;
 };
 
+/// A line that includes another INI.
 struct IniInclude {
   std::string file;
   std::string where;
 };
 
+/// An INI as it stands, with line numbers and nothing resolved.
 struct IniDocument {
-  std::string name;     ///< what errors call the file
+  std::string name;                  ///< what errors call the file
   std::vector<IniInclude> includes;  ///< other INIs, whose settings come before these
   std::vector<IniSection> sections;
   std::vector<IniEntry> entries;
@@ -66,8 +69,9 @@ std::string readIniText(const std::filesystem::path& path);
 
 /// The text of `file` in the strict dialect, behind the settings of the INIs that it includes by
 /// lines `include = OTHER.ini` before its first section (from its own folder; they may include
-/// others). What two of them set is the later one's, and the including one comes last. Names of files in an included INI start where
-/// the including one's do. Throws as parseIni() and readIniText().
+/// others). What two of them set is the later one's, and the including one comes last. Names of
+/// files in an included INI start where the including one's do. Throws as parseIni() and
+/// readIniText().
 IniDocument parseIniFile(std::string_view text, const std::filesystem::path& file);
 
 /// `section.key=value` of the option --set. Throws core::UsageError.

@@ -31,17 +31,21 @@ struct WrittenField {
 /// back to the same bits.
 class FieldCollector {
  public:
+  /// With the bounds as help.
   template <class T>
   void number(const char* key, T& value, const core::Bounds& bounds, const char* help) {
     fields.push_back(
         {key, fmt::format("{}", value), help, takesNumber(std::is_integral_v<T>, bounds)});
   }
+  /// As true or false.
   void flag(const char* key, bool& value, const char* help) {
     fields.push_back({key, value ? "true" : "false", help, "true or false"});
   }
+  /// As it stands, or in quotes where it must.
   void text(const char* key, std::string& value, const char* help) {
     fields.push_back({key, iniText(value), help, "text"});
   }
+  /// By its name, with all names as help.
   template <class Enum>
   void choice(const char* key, Enum& value, const core::Choices<Enum>& choices, const char* help) {
     fields.push_back({key, nameOf(value, choices), help,

@@ -9,6 +9,8 @@
 
 namespace ariadne::io {
 
+/// How much noise is made per motion, as the odometry model of Thrun et al. 2005, Section 5.4 has
+/// it.
 struct MotionNoise {
   double rot_rot = 0.05;      ///< rad of heading noise per rad turned
   double rot_trans = 0.01;    ///< rad of heading noise per m travelled
@@ -24,6 +26,7 @@ void validate(const MotionNoise& noise);
 /// draw depends on (seed, k) only.
 class NoisyOdometry {
  public:
+  /// The same seed gives the same noise.
   NoisyOdometry(const MotionNoise& noise, std::uint64_t seed) : noise_(noise), seed_(seed) {}
   /// The noisy pose for the next clean one; the first is kept as it is.
   mrpt::math::TPose2D add(const mrpt::math::TPose2D& odom_from_robot);

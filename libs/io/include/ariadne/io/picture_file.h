@@ -6,12 +6,14 @@
 
 namespace ariadne::io {
 
+/// A picture in grey, decoded.
 struct PicturePixels {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> shade;  ///< row by row from the top: mean of red, green and blue
   std::vector<std::uint8_t> alpha;  ///< 255 is opaque; empty when all are
 
+  /// Whether the pixel is not transparent at all.
   bool opaque(std::size_t pixel) const { return alpha.empty() || alpha[pixel] == 255; }
 };
 

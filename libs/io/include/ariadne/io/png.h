@@ -8,6 +8,7 @@ namespace ariadne::io {
 
 /// Somebody else's pixels.
 struct Picture {
+  /// How the pixels lie in memory.
   enum class Format {
     gray,          ///< one byte a pixel
     cairo_rgb,     ///< CAIRO_FORMAT_RGB24 of a little-endian machine: blue, green, red, unused

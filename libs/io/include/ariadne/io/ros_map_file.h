@@ -8,7 +8,9 @@
 
 namespace ariadne::io {
 
+/// What a map.yaml of ROS map_server or nav2 says.
 struct RosMapFile {
+  /// How the picture's grey is to be understood.
   enum class Mode {
     trinary,  ///< free, occupied or unknown
     scale,    ///< and probabilities between them

@@ -20,6 +20,7 @@ struct RosOptions {
   std::string base_frame;  ///< the robot's: what the odometry moves, and the laser is fixed to
   std::optional<LaserPose> laser_pose;  ///< instead of what the recording says
 
+  /// Whether anything is set.
   bool any() const {
     return laser_pose || !(scan_topic + odom_topic + odom_frame + base_frame).empty();
   }

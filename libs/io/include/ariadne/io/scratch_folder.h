@@ -1,5 +1,5 @@
-// Where temporary files lie: guessable names in /tmp can be taken by others, who then choose what is
-// read or overwritten.
+// Where temporary files lie: guessable names in /tmp can be taken by others, who then choose what
+// is read or overwritten.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -16,6 +16,7 @@ class ScratchFolder {
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
 
+  /// Absolute.
   const std::filesystem::path& path() const { return path_; }
 
  private:

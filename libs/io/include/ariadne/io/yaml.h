@@ -23,6 +23,7 @@ class YamlValue {
 
   /// Of a list. Throws core::Error when it is none.
   std::size_t size() const;
+  /// An item of a list. Throws core::Error naming file, line and key.
   YamlValue operator[](std::size_t index) const;
 
   /// Throw core::Error when the value is another kind of thing.

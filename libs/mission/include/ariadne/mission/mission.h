@@ -13,6 +13,7 @@
 
 namespace ariadne::mission {
 
+/// All sections of an exploration beside the filter's.
 struct MissionParams {
   explore::ExploreParams explore;
   sim::SimParams sim;
@@ -32,6 +33,7 @@ struct Collision {
   mrpt::math::TPose2D world_from_robot;
 };
 
+/// What a mission leaves: enough to map it again to the same bits.
 struct MissionRecord {
   std::vector<models::SensorStep> steps;  ///< all that the robot's sensors said
   geometry::Trajectory truth;             ///< world_from_robot at each step
@@ -44,6 +46,7 @@ struct MissionRecord {
 /// Called after each filter update; to say stop, return false.
 using MissionListener = std::function<bool(const slam::StepReport&, const explore::Explorer&)>;
 
+/// Robot, filter and explorer tied together, step by step.
 class Mission {
  public:
   /// The strategy is applied to the mapping's parameters, see explore::applyStrategy. The filter
@@ -57,7 +60,9 @@ class Mission {
   /// arguments, on any number of threads.
   MissionRecord run(const MissionListener& listener = {});
 
+  /// The filter as of the last step.
   const slam::Mapper& mapper() const { return mapper_; }
+  /// The explorer as of the last step.
   const explore::Explorer& explorer() const { return explorer_; }
 
  private:

@@ -14,8 +14,11 @@
 
 namespace ariadne::models {
 
+/// Fits how the odometry errs (scatter, stretch, turn) to what matches of scans found, by maximum
+/// likelihood.
 class MotionLearner {
  public:
+  /// @param wide what is believed before anything is learned
   explicit MotionLearner(const MotionParams& wide);
 
   /// Takes a step whose scan was matched.
@@ -40,6 +43,7 @@ class MotionLearner {
   double turnPerMetre() const { return fits_[2].bias(); }
   /// Way that the odometry lacks, m per m.
   double stretch() const { return fits_[0].bias(); }
+  /// Motions that it learned from.
   std::size_t steps() const { return steps_; }
 
  private:

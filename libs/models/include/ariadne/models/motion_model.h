@@ -31,6 +31,7 @@ class Motion {
   mrpt::math::TPose2D mean(const mrpt::math::TPose2D& before) const {
     return geometry::compose(before, increment_);
   }
+  /// A pose behind `before`, drawn by the model; map frame.
   mrpt::math::TPose2D sample(const mrpt::math::TPose2D& before, core::RandomStream& rng) const;
   /// Standard deviations along and across the motion, m, and of the turn, rad.
   const Eigen::Vector3d& sigma() const { return sigma_; }

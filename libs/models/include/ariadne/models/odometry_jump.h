@@ -8,6 +8,8 @@
 
 namespace ariadne::models {
 
+/// Tells steps of the odometry that no robot makes: a wheel encoder that was set back, a robot that
+/// was carried.
 class JumpDetector {
  public:
   /// Whether the motion to this pose from the one before is a jump:

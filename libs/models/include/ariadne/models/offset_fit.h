@@ -14,6 +14,7 @@ struct Innovation {
   double variance_match;  ///< of the match: large where the scan says little
 };
 
+/// Fits scatter and bias of one component of the odometry's error, which grow with the motion.
 class OffsetFit {
  public:
   /// @param sigma_per_m width of the bias before anything is known, per metre; 0: there is none
@@ -26,6 +27,7 @@ class OffsetFit {
 
   /// Share of the given standard deviation.
   double scale() const;
+  /// Per unit of motion.
   double bias() const { return bias_; }
 
  private:

@@ -30,6 +30,7 @@ struct PosePrior {
   Eigen::Matrix3d covariance;
 };
 
+/// A Gaussian over poses.
 struct PoseGaussian {
   mrpt::math::TPose2D mean;     ///< map frame
   Eigen::Matrix3d covariance;   ///< of (x, y, heading)
@@ -37,6 +38,7 @@ struct PoseGaussian {
   double log_likelihood = 0;    ///< untempered, at the mean
   Eigen::Matrix3d information;  ///< of the scan about the pose, untempered
 
+  /// Map frame.
   mrpt::math::TPose2D sample(core::RandomStream& rng) const;
 };
 

@@ -13,12 +13,15 @@
 
 namespace ariadne::models {
 
+/// Where a scan fits a map, and how well.
 struct Match {
   mrpt::math::TPose2D map_from_robot;  ///< best pose found; the predicted one when not accepted
   bool accepted = false;               ///< it beats the predicted pose
   double score = 0;                    ///< mean field under the endpoints, 0..1
 };
 
+/// Finds the pose near a predicted one at which a scan fits a map best, by ascent in the likelihood
+/// field.
 class ScanMatcher {
  public:
   /// @param gain weight of the scan against the prior, as the filter's proposal_gain.

@@ -12,6 +12,7 @@
 
 namespace ariadne::models {
 
+/// Odometry made by matching each scan with the last ones, for logs without any.
 class ScanOdometry {
  public:
   /// @param gain as the filter's proposal_gain

@@ -5,6 +5,7 @@
 
 namespace ariadne::models {
 
+/// What the filter takes at a time: where the odometry says that the robot is, and a scan.
 struct SensorStep {
   double time_s = 0;                    ///< UNIX time of the scan, seconds
   mrpt::math::TPose2D odom_from_robot;  ///< cumulative odometry, m and rad

@@ -3,6 +3,7 @@
 
 namespace ariadne::models {
 
+/// What a robot is told to do until the next command.
 struct VelocityCommand {
   double forward_m_s = 0;
   double turn_rad_s = 0;

@@ -9,10 +9,13 @@ namespace ariadne::page {
 /// A list of the page that may take a number of bytes; what comes after is only counted.
 class BoundedList {
  public:
+  /// @param most bytes
   explicit BoundedList(std::size_t most) : most_(most) {}
   /// @param piece HTML
   void add(const std::string& piece);
+  /// What had room.
   const std::string& html() const { return text_; }
+  /// Pieces that had none.
   std::size_t leftOut() const { return left_out_; }
 
  private:

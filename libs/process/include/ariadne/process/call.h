@@ -9,6 +9,7 @@
 
 namespace ariadne::process {
 
+/// How a program answered.
 struct CallResult {
   bool missing = false;  ///< not in PATH
   bool ok = false;       ///< exit code 0

@@ -5,6 +5,7 @@
 
 namespace ariadne::process {
 
+/// Whether this is a file that may be executed.
 bool canRun(const std::filesystem::path& file);
 
 /// An executable of the environment's PATH; empty when there is none of that name.

@@ -21,6 +21,7 @@ struct ProcessEnd {
   std::string last_words;
 };
 
+/// A child process; ends with this object.
 class Process {
  public:
   /// @param argv program (its path) and arguments
@@ -29,6 +30,7 @@ class Process {
   Process(const std::vector<std::string>& argv, const std::filesystem::path& stdout_file);
   /// Kills what still runs.
   ~Process();
+  /// Takes the child over.
   Process(Process&& other) noexcept;
   Process& operator=(Process&&) = delete;
 
@@ -38,6 +40,7 @@ class Process {
   void kill();
   /// The same, and waits for the end.
   void stop();
+  /// Since it was started, s.
   double elapsed_s() const;
   /// Of the system; -1 once it has ended.
   pid_t pid() const { return pid_; }

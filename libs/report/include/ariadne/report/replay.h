@@ -31,6 +31,7 @@ struct PlacedTile {
   std::uint32_t tile = 0;
 };
 
+/// A particle as the replay draws it.
 struct ReplayParticle {
   mrpt::math::TPose2D map_from_robot;
   double weight = 0;  ///< normalised over the whole set
@@ -88,6 +89,7 @@ struct ReplayStep {
   std::string state;  ///< in words
 };
 
+/// What happened then.
 enum class MomentKind { decision, detection, entry, end, recovery };
 
 /// Something to jump to.
@@ -99,11 +101,13 @@ struct ReplayMoment {
   std::vector<std::vector<std::string>> table;  ///< rows, the first one heads; may be empty
 };
 
+/// A line about the run: "Particles", "30".
 struct ReplayFact {
   std::string name;
   std::string value;
 };
 
+/// A run to be replayed: what report.html shows.
 struct Replay {
   std::string title;
   std::vector<ReplayFact> facts;   ///< of the run, for the page's head

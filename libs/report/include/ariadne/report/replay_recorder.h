@@ -19,8 +19,10 @@ struct FilterView {
   const loops::PlaceGraph* graph = nullptr;        ///< of s*; null where none is kept
 };
 
+/// Of the filter as it is now; nothing is copied.
 FilterView viewOf(const slam::Mapper& mapper);
 
+/// How much a replay may hold.
 struct RecorderParams {
   std::size_t max_frames = 500;
   std::size_t max_tiles = 30000;     ///< distinct ones, 256 bytes each
@@ -31,8 +33,10 @@ struct RecorderParams {
   std::size_t updates_a_frame = 4;   ///< at first; more for a long run
 };
 
+/// Records a run as it goes, for report.html.
 class ReplayRecorder {
  public:
+  /// Nothing is recorded yet.
   explicit ReplayRecorder(const RecorderParams& params = {});
   ~ReplayRecorder();
   ReplayRecorder(const ReplayRecorder&) = delete;

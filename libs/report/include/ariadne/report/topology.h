@@ -15,6 +15,7 @@ struct DrawnEntry {
   std::size_t number = 0;
 };
 
+/// A graph of places as topology.png draws it.
 struct DrawnGraph {
   std::vector<mrpt::math::TPoint2D> places;                    ///< m, map frame
   std::vector<std::pair<std::size_t, std::size_t>> edges;      ///< in the order they were driven

@@ -22,6 +22,7 @@
 
 namespace ariadne::sim {
 
+/// When the drive came by a mark of its path.
 struct MarkTime {
   std::string name;
   double time_s = 0;  ///< since the start of the drive
@@ -46,6 +47,7 @@ using DriveProgress = std::function<void(double fraction)>;
 TruthDrive driveThrough(const World& world, const DrivePath& path, const DriveParams& params,
                         const DriveProgress& progress = {});
 
+/// A drive as the robot's sensors saw it, with the truth.
 struct SimulatedDrive {
   std::vector<models::SensorStep> steps;  ///< odometry starts at the origin
   geometry::Trajectory truth;             ///< world_from_robot at each step

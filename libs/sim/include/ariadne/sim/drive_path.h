@@ -16,6 +16,7 @@
 
 namespace ariadne::sim {
 
+/// A point of a scripted drive.
 struct Waypoint {
   mrpt::math::TPoint2D at;  ///< m, frame of the world
   int line = 0;             ///< of the file, for errors
@@ -27,6 +28,7 @@ struct Mark {
   std::size_t after = 0;  ///< so many waypoints are behind the robot
 };
 
+/// A scripted drive through a world, as its .path file says.
 struct DrivePath {
   std::string name;  ///< what errors call it: the file
   std::vector<Waypoint> waypoints;

@@ -10,6 +10,7 @@
 
 namespace ariadne::sim {
 
+/// MRPT's simulated vehicle with a laser, driven without randomness.
 class Robot {
  public:
   /// The world must outlive the robot.
@@ -20,6 +21,7 @@ class Robot {
 
   /// world_from_robot
   const mrpt::math::TPose2D& pose() const { return vehicle_.getCurrentGTPose(); }
+  /// Since the start of the simulation, s.
   double time_s() const { return time_s_; }
 
   /// Follows the command until `time_s`, since the start. Returns false when that took it into

@@ -8,6 +8,7 @@
 
 namespace ariadne::sim {
 
+/// What the robot's sensors say of the truth, with the noise of a seed.
 class Senses {
  public:
   /// Throws core::UsageError when a parameter is out of bounds.

@@ -23,6 +23,7 @@
 
 namespace ariadne::sim {
 
+/// A building: walls, marks, where the robot starts.
 struct World {
   std::string name;                        ///< what errors call it: the file
   mrpt::maps::COccupancyGridMap2D map;     ///< probability of being free: 0.98 floor, 0.02 rock

@@ -11,6 +11,7 @@
 
 namespace ariadne::stock {
 
+/// An INI of MRPT's rbpf-slam in our terms, with what could not be taken over.
 struct StockIni {
   slam::SlamParams params;
   std::string rawlog_file;    ///< where it was found, else as it stands in the INI; may be empty

@@ -14,10 +14,12 @@ namespace ariadne::loops {
 /// is not among such places.
 std::size_t visitBegin(const Track& track, double least_path_m);
 
+/// The contacts of a path with earlier parts of itself, extended update by update.
 class ContactBook {
  public:
   /// Looks at the updates that were not looked at yet.
   void extend(const Track& track, const std::vector<ScanHits>& hits);
+  /// Every contact of the updates that were added.
   std::vector<Contact> all() const { return before(until_); }
   /// Found closures, and the contacts of updates before this one.
   std::vector<Contact> before(std::size_t update) const;

@@ -21,6 +21,7 @@ struct Contact {
   std::optional<mrpt::math::TPose2D> first_from_second = {};
 };
 
+/// When a place of the path counts as seen again.
 struct ContactParams {
   double radius_m = 8;       ///< the robot was this near to the earlier place
   double tolerance_m = 0.2;  ///< a beam's end agrees within this

@@ -18,6 +18,7 @@
 
 namespace ariadne::loops {
 
+/// How often and how closely closures are searched for from metres away.
 struct FinderParams {
   double every_m = 2;            ///< a search each time the robot has travelled this
   double least_path_m = 25;      ///< places nearer than this by the path are no closures
@@ -49,10 +50,14 @@ struct Closure {
   mrpt::math::TPose2D correction;  ///< from where the robot was thought to be, in its own frame
 };
 
+/// Searches for places that the robot is at again although its map does not say so: the last piece
+/// of the path is laid over everything that was seen before.
 class Finder {
  public:
+  /// One scan per update; shared with who keeps them.
   using Scans = std::vector<mrpt::obs::CObservation2DRangeScan::Ptr>;
 
+  /// @param grid which beams count, and the cells' size; @param likelihood how well a beam fits
   Finder(const FinderParams& params, const grid::GridParams& grid,
          const grid::LikelihoodParams& likelihood);
 

@@ -9,15 +9,19 @@
 
 namespace ariadne::loops {
 
+/// A square bitmap of where beams ended, for the correlation of scans: a byte per cell.
 class HitRaster {
  public:
   /// A square about `centre`, `half_m` to each side, of cells of `cell_m`.
   HitRaster(const mrpt::math::TPoint2D& centre, double half_m, double cell_m);
 
+  /// Side of a cell, m.
   double cell() const { return cell_m_; }
   /// Cells per side.
   int size() const { return size_; }
+  /// Of a coordinate of the map frame, m; outside the raster below 0 or size() and more.
   int column(double x) const;
+  /// As column(), from south to north.
   int row(double y) const;
   /// Marks the cell of a point, m, map frame; points outside are left out.
   void mark(const mrpt::math::TPoint2D& p);
@@ -25,6 +29,7 @@ class HitRaster {
   int at(int column, int row) const {
     return column < 0 || row < 0 || column >= size_ || row >= size_ ? 0 : line(row)[column];
   }
+  /// The cells of a row, from west to east: 1 where a beam ended.
   const std::uint8_t* line(int row) const {
     return hits_.data() + static_cast<std::ptrdiff_t>(row) * size_;
   }

@@ -16,6 +16,7 @@ namespace ariadne::loops {
 /// Ends of a scan's beams, m, robot's frame, in beam order.
 using ScanHits = std::vector<mrpt::math::TPoint2D>;
 
+/// The path of a hypothesis with how each of its motions was known.
 struct Track {
   std::vector<mrpt::math::TPose2D> poses;  ///< map_from_robot, one per update
   std::vector<double> travelled_m;         ///< distance from the beginning, one per update
@@ -25,6 +26,7 @@ struct Track {
   /// To each update from the one before, robot's frame, as the filter drew it, before any closure
   /// bent the path; the first counts nothing.
   std::vector<mrpt::math::TPose2D> motions;
+  /// The last update.
   std::size_t now() const { return poses.size() - 1; }
 };
 
