@@ -3,7 +3,7 @@
 
 A struct's sentence speaks for its fields, where their names say the rest, and a parameter's explanation stands in its struct's
 visitFields. Functions that C++ itself explains (constructors without arguments, = default, = delete) need none.
-Skipped where doxygen is not installed (scripts/install-dependencies --site).
+Skipped where doxygen is not installed (scripts/install-dependencies --tests).
 """
 import os
 import pathlib

@@ -9,7 +9,7 @@
 
 namespace ariadne::eval {
 
-/// Which pairs of true poses are a loop closure: near each other, with a long way between.
+/// Which pairs of true poses are a loop closure: near each other, with a long path between.
 struct LoopParams {
   double near_m = 2;
   double apart_m = 10;

@@ -1,5 +1,5 @@
-// What paired runs and the oracle do to a filter, and nobody else: slam::Mapper names this class its
-// friend.
+// What paired runs and the oracle do to a filter, and nobody else: slam::Mapper names this class
+// its friend.
 #pragma once
 #include <functional>
 #include <memory>
@@ -9,6 +9,7 @@
 
 namespace ariadne::experiment {
 
+/// Forks of a mapper and filters of one hypothesis, for paired runs and the oracle.
 class MapperArms {
  public:
   /// A second mapper with the same past, which shares its maps until they are written to, and never

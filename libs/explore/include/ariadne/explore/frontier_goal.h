@@ -10,7 +10,8 @@ namespace ariadne::explore {
 /// As they stand in a decision.
 std::vector<Candidate> candidatesOf(const std::vector<Frontier>& frontiers);
 
-/// To unknown ground: the nearest frontier, or the one of most use for its way (`frontier_choice`;
+/// To unknown ground: the nearest frontier, or the one of most use for its distance
+/// (`frontier_choice`;
 /// Yamauchi, CIRA 1997).
 class FrontierGoal {
  public:

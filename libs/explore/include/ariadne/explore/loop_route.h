@@ -8,7 +8,7 @@
 
 namespace ariadne::explore {
 
-/// The way round a loop, behind the path that s* took through it.
+/// The route round a loop: along the path that s* took through it.
 class LoopRoute {
  public:
   /// @param te filter update of the entry

@@ -11,8 +11,8 @@ namespace ariadne::explore {
 
 using Route = std::vector<mrpt::math::TPoint2D>;  ///< m, map frame
 
-/// The cheapest ways from the robot to every cell that it can reach: a bucket search over all cells
-/// at once.
+/// The cheapest routes from the robot to every cell that it can reach: a bucket search over all
+/// cells at once.
 class Planner {
  public:
   /// Routes keep the robot's radius and clearance from walls and its radius from the unknown, and
@@ -25,7 +25,7 @@ class Planner {
   const PlanningGrid& grid() const { return *grid_; }
   /// Whether the robot may stand there.
   bool open(int cell) const { return open_[cell] != 0; }
-  /// Whether a way leads there.
+  /// Whether a route leads there.
   bool reaches(int cell) const { return cost_[cell] >= 0; }
   /// What the search minimises; needs reaches().
   int cost(int cell) const { return cost_[cell]; }

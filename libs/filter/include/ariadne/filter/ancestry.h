@@ -10,8 +10,11 @@
 namespace ariadne::filter {
 
 class Ancestor;
+/// Null above the first update.
 using AncestorPtr = std::shared_ptr<const Ancestor>;
 
+/// A particle as it was at one update: the line through parents is its trajectory. Lines share what
+/// they have in common, and what no particle descends from is gone.
 class Ancestor {
  public:
   /// @param parent null at the root
@@ -32,12 +35,16 @@ class Ancestor {
   Ancestor(const Ancestor&) = delete;
   Ancestor& operator=(const Ancestor&) = delete;
 
+  /// The update before; null at the first.
   const AncestorPtr& parent() const { return parent_; }
+  /// Number of the filter update.
   std::size_t step() const { return step_; }
+  /// map_from_robot, m and rad.
   const mrpt::math::TPose2D& pose() const { return map_from_robot_; }
   /// From the parent's pose to this as the filter drew it, robot's frame: what was measured, which
   /// a closure that bends the path leaves alone. Zero at the root.
   const mrpt::math::TPose2D& motion() const { return motion_; }
+  /// Increment of the log weight in this step, as it entered Eq. (8).
   double logWeight() const { return log_weight_; }
   /// a of Eq. (8): sum of the increments along the line, this one's too.
   double accumulated() const { return accumulated_; }

@@ -6,9 +6,12 @@
 
 namespace ariadne::filter {
 
+/// Where a particle's next pose is drawn; see `proposal`.
 enum class Proposal { odometry, scan_match, improved };
+/// MRPT's four methods; see `resampling`.
 enum class Resampling { multinomial, residual, stratified, systematic };
 
+/// Section [filter]; each key is explained in visitFields.
 struct FilterParams {
   int particles = 30;
   std::uint64_t seed = 1;

@@ -16,6 +16,7 @@ struct Checkpoint {
   grid::OccupancyGrid map;
   mutable std::shared_ptr<const Checkpoint> earlier;  ///< let go one by one by the destructor
 
+  /// @param at filter update
   Checkpoint(std::size_t at, const grid::OccupancyGrid& as_of,
              std::shared_ptr<const Checkpoint> before)
       : step(at), map(as_of), earlier(std::move(before)) {}

@@ -31,6 +31,8 @@ struct FilterModels {
   grid::LikelihoodParams likelihood;
 };
 
+/// The particles of a Rao-Blackwellized filter (Doucet et al. 2000), driven by mrpt::bayes: each
+/// has a path, a map of its own and a weight.
 class ParticleSet
     : public mrpt::bayes::CParticleFilterData<Particle, mrpt::bayes::particle_storage_mode::VALUE>,
       public mrpt::bayes::CParticleFilterDataImpl<
@@ -41,7 +43,9 @@ class ParticleSet
   ParticleSet(const FilterModels& models, const core::Parallel& parallel,
               const mrpt::math::TPose2D& start, const grid::OccupancyGrid& map);
 
+  /// Number of particles, N.
   std::size_t size() const { return m_particles.size(); }
+  /// i in [0, size()).
   const Particle& operator[](std::size_t i) const { return m_particles[i].d; }
   /// s* of Eq. (8): the largest accumulated weight, ties to the lowest index.
   std::size_t best() const;
@@ -99,6 +103,7 @@ class ParticleSet
     /// odometry's own, and the drift of wheels, where no scan was matched.
     Eigen::Matrix3d motion_covariance = Eigen::Matrix3d::Zero();
   };
+  /// Of the last update.
   const Figures& figures() const { return figures_; }
 
   /// Of mrpt::bayes::CParticleFilterCapable: particle i becomes a child of the one drawn[i].

@@ -12,6 +12,7 @@
 
 namespace ariadne::filter {
 
+/// The scans of the last metres of a path, as a map of their own.
 class RecentScans {
  public:
   /// @param sigmas a match that is further off the odometry is disputed; 0: none is

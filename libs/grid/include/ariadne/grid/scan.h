@@ -8,6 +8,7 @@
 
 namespace ariadne::grid {
 
+/// One scan, as it was recorded and as maps and matching take it.
 struct Scan {
   mrpt::obs::CObservation2DRangeScan::Ptr raw;  ///< as it was recorded
   ScanShape shape;                              ///< by which it enters maps

@@ -36,6 +36,7 @@ struct DoubtCounts {
   std::size_t jumps_guessed = 0;      ///< odometry jumped; no scan told, the robot stayed
 };
 
+/// The whole of it: a log's steps in, a map and a path out. Start here.
 class Mapper {
  public:
   /// @param threads 0 takes one a core. Throws core::UsageError when a parameter is out of bounds.
@@ -77,8 +78,11 @@ class Mapper {
   const models::MotionLearner& learnedMotion() const;
   /// Those that are open, the outermost first; until the next step is processed.
   std::vector<const loops::Closing*> openClosings() const;
+  /// Where the time went since the start.
   StageTimes times() const;
+  /// Of the odometry's jumps and blind stretches.
   const DoubtCounts& doubts() const;
+  /// Filter updates up to now.
   std::size_t updates() const;
 
  private:

@@ -30,6 +30,7 @@ void visitFields(V& v, UpdateParams& p) {
            "(copy-on-write)");
 }
 
+/// All parameters of the filter; each struct is a section of the INI.
 struct SlamParams {
   filter::FilterParams filter;
   UpdateParams update;

@@ -7,18 +7,20 @@
 
 #include <deque>
 #include <memory>
-#include <utility>
 #include <string>
+#include <utility>
 
 #include "ariadne/slam/mapper.h"
 
 namespace ariadne::slam {
 
+/// Stands in for MRPT's CMetricMapBuilderRBPF: the same interface, our filter behind it.
 class RbpfMapBuilder : public mrpt::slam::CMetricMapBuilder {
  public:
   /// What CMetricMapBuilderRBPF is built from, and Ariadne's own parameters. loadFromConfigFile()
   /// reads the stock section and derives from it what has a meaning here.
   struct TConstructionOptions : mrpt::slam::CMetricMapBuilderRBPF::TConstructionOptions {
+    /// @param section of rbpf-slam's INI, MappingApplication in MRPT's own
     void loadFromConfigFile(const mrpt::config::CConfigFileBase& source,
                             const std::string& section) override;
     /// Particles, resampling and beta of PF_options, the distances, and the resolution, range and
@@ -41,12 +43,15 @@ class RbpfMapBuilder : public mrpt::slam::CMetricMapBuilder {
   /// Takes the odometry of the action (2D or 3D) and the first planar scan of the observations.
   void processActionObservation(mrpt::obs::CActionCollection& action,
                                 mrpt::obs::CSensoryFrame& observations) override;
+  /// Scans with their poses on the path of s*.
   void getCurrentlyBuiltMap(mrpt::maps::CSimpleMap& out_map) const override;
+  /// Scans in the map.
   unsigned int getCurrentlyBuiltMapSize() override;
   /// The map of s* as a COccupancyGridMap2D; valid until the next step. A pointer up to MRPT 2.5, a
   /// reference later.
   using BuiltMap =
       decltype(std::declval<const mrpt::slam::CMetricMapBuilder&>().getCurrentlyBuiltMetricMap());
+  /// See BuiltMap.
   BuiltMap getCurrentlyBuiltMetricMap() const override;
   /// Writes a PNG of the map of s*. Throws core::Error when it cannot be written.
   void saveCurrentEstimationToImage(const std::string& file, bool formatEMF_BMP = true) override;

@@ -18,6 +18,7 @@ struct StartPlace {
   double known_share = 0;  ///< of them lie where the map is known
 };
 
+/// Where in a known map a log begins.
 struct StartSearch {
   /// Whether the first metres lie over what the map shows; a place that is hardly known to the map
   /// can be told by its user alone.

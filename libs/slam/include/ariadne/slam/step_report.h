@@ -8,6 +8,7 @@
 
 namespace ariadne::slam {
 
+/// What one filter update did: a row of steps.csv.
 struct StepReport {
   std::size_t step = 0;  ///< number of the filter update, from 0
   double time_s = 0;     ///< UNIX time of the scan

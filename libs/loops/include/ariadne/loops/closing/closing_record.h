@@ -22,6 +22,7 @@ struct SavingRecord {
   double memory_mb = 0;
 };
 
+/// One recovery as it was.
 struct RecoveryRecord {
   std::size_t update = 0;                   ///< after which the set was replaced
   std::size_t distinct_before = 0;          ///< ancestors at te of the set that was replaced
@@ -47,6 +48,7 @@ struct FoundClosure {
   double seconds = 0;       ///< wall clock of drawing
 };
 
+/// One loop from its detection to what its end brought, for loops.json and pictures.
 struct ClosingRecord {
   Closing closing;
   std::optional<SavingRecord> saving;

@@ -50,6 +50,7 @@ class LoopCloser {
   /// closures are searched among.
   void extend(const filter::ParticleSet& particles, const grid::Scan& scan);
 
+  /// What watch() saw.
   struct Watched {
     LoopReport report;
     std::optional<std::size_t> ended;  ///< id of the closing that ended
@@ -70,6 +71,7 @@ class LoopCloser {
   /// Looks for the place at which a loop should close, and when it is found draws every particle's
   /// path anew, given it.
   void search(filter::ParticleSet& particles, const Scans& scans);
+  /// In the order in which they were found.
   const std::vector<FoundClosure>& found() const { return found_; }
 
   /// G of every particle.

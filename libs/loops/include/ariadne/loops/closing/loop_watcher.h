@@ -11,6 +11,8 @@
 
 namespace ariadne::loops {
 
+/// Of the robot: on new ground or among known places, on the way to an entry point, or following a
+/// loop behind it.
 enum class LoopState { exploring, approaching, closing };
 
 /// What the watcher sees of one filter update, all of s*.
@@ -36,6 +38,7 @@ struct Closing {
   ClosingCourse course;
 };
 
+/// What an update brought about; several may come together.
 struct LoopEvents {
   std::optional<std::size_t> detected;  ///< save the set as of its te
   std::optional<std::size_t> entered;   ///< join the present place with the entry in every G
@@ -43,13 +46,16 @@ struct LoopEvents {
   std::optional<std::size_t> ended;     ///< recover; what was saved later goes too
 };
 
+/// Detects loops, sees when they are entered and when their closing ends (Section IV of the paper).
 class LoopWatcher {
  public:
   /// Throws core::UsageError when a parameter is out of bounds.
   explicit LoopWatcher(const ClosingParams& params);
 
+  /// To be called once per filter update, in order.
   LoopEvents observe(const WatchedStep& step);
 
+  /// After the last update.
   LoopState state() const;
   /// Opportunity of the last update; none within the cooldown.
   const std::optional<LoopOpportunity>& opportunity() const { return opportunity_; }

@@ -8,6 +8,7 @@ namespace ariadne::loops {
 /// When a closing ends, besides when the robot leaves what it knew.
 enum class Stop { leaving, neff, neff_slope, uncertainty, path_end, laps, never };
 
+/// Section [loop_closing]; each key is explained in visitFields.
 struct ClosingParams {
   bool enabled = true;
   PlaceParams places;

@@ -24,6 +24,7 @@ struct ClosingCourse {
   double uncertainty_at_te_m = 0;
   std::vector<ClosingStep> steps;  ///< since the entry was reached
 
+  /// Since the closing began, m.
   double driven_m() const {
     return steps.empty() ? 0 : steps.back().travelled_m - steps.front().travelled_m;
   }
@@ -33,6 +34,7 @@ struct ClosingCourse {
 /// the rises that resamplings made.
 double slopeOfLogNeff(const std::vector<ClosingStep>& steps, std::size_t first);
 
+/// Whether a closing is to end now. Asked after each update of it.
 using StopRule = std::function<bool(const ClosingCourse&)>;
 
 /// The paper's: Neff stays constant over the last window_m, to within `change` of N. Resampling
@@ -47,6 +49,7 @@ StopRule uncertaintyBackToEntry();
 StopRule loopDriven(double laps);
 /// `rule`, but not before this distance after the entry.
 StopRule armedAfter(double distance_m, StopRule rule);
+/// The closing goes on until the robot leaves the known places.
 StopRule never();
 
 /// The rule that the parameters name; `leaving` has none of its own.

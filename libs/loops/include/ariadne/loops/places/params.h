@@ -4,12 +4,14 @@
 
 namespace ariadne::loops {
 
+/// When a new place is made; keys of [loop_closing], explained in visitFields.
 struct PlaceParams {
   double place_spacing_m = 2;
   double place_range_m = 6;
   double visit_radius_m = 1.5;
 };
 
+/// Bounds of Eq. (7); keys of [loop_closing], explained in visitFields.
 struct OpportunityParams {
   double c1_m = 10;
   double c2_m = 25;

@@ -13,6 +13,7 @@
 
 namespace ariadne::loops {
 
+/// A node of the graph: where the robot was.
 struct Place {
   mrpt::math::TPoint2D position;  ///< m, map frame of the particle
   std::uint32_t step = 0;         ///< filter update at which it was made
@@ -34,9 +35,13 @@ struct Visit {
   mrpt::math::TPoint2D position;  ///< of the robot, m, map frame of the particle
 };
 
+/// The graph G of a particle: places that the robot was at, joined where it drove. Copies share
+/// what they have in common.
 class PlaceGraph {
  public:
+  /// In the order in which they were made.
   const SharedList<Place>& places() const { return places_; }
+  /// In the order in which they were driven.
   const SharedList<Edge>& edges() const { return edges_; }
   /// One a filter update, in order.
   const SharedList<Visit>& visits() const { return visits_; }

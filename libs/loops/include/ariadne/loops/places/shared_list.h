@@ -9,14 +9,20 @@
 
 namespace ariadne::loops {
 
+/// A list that only grows; copies share all full chunks.
 template <class T>
 class SharedList {
  public:
+  /// Number of items.
   std::size_t size() const { return size_; }
+  /// Without items.
   bool empty() const { return size_ == 0; }
+  /// i in [0, size()).
   const T& operator[](std::size_t i) const { return (*chunks_[i / kChunk].get())[i % kChunk]; }
+  /// The last item; there must be one.
   const T& back() const { return (*this)[size_ - 1]; }
 
+  /// Copies the last chunk where another list shares it.
   void push_back(const T& value) {
     if (size_ % kChunk == 0) chunks_.emplace_back();
     chunks_.back().write()[size_++ % kChunk] = value;

@@ -7,6 +7,7 @@ namespace ariadne::loops {
 /// Whose path through the loop a saved hypothesis is given.
 enum class Draw { independent, shared, own_descendant_first };
 
+/// Section [recovery]; each key is explained in visitFields.
 struct RecoveryParams {
   bool enabled = true;
   Draw draw = Draw::independent;

@@ -17,6 +17,7 @@ struct RecoveryInputs {
   const core::Parallel& parallel;
 };
 
+/// What replaces the particle set when a closing ends, Eq. (13).
 struct RecoveredSet {
   std::vector<filter::Particle> particles;  ///< one an entry
   std::vector<double> weights;              ///< w~; sum 1

@@ -8,6 +8,7 @@
 
 namespace ariadne::loops {
 
+/// One saved hypothesis of Eq. (11) and (12).
 struct SavedEntry {
   filter::AncestorPtr at_te;      ///< x~, Eq. (11): the ancestor at te, with the trajectory before
   filter::AncestorPtr at_saving;  ///< the particle's own node when it was saved
@@ -16,6 +17,7 @@ struct SavedEntry {
   PlaceGraph graph;                                      ///< G as of te
 };
 
+/// The hypotheses that were kept at a detection.
 struct SavedSet {
   std::size_t te = 0;      ///< filter update of the entry
   std::size_t saving = 0;  ///< filter update at which it was saved

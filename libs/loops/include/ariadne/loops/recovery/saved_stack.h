@@ -8,8 +8,10 @@
 
 namespace ariadne::loops {
 
+/// Saved sets of nested loops, the innermost on top, within a budget of memory.
 class SavedStack {
  public:
+  /// @param budget_mb of the maps of all sets; where it is exceeded, the oldest set is dropped
   explicit SavedStack(double budget_mb) : budget_mb_(budget_mb) {}
 
   /// Lays a set on top, under an id of the caller's. Returns the ids of the sets that were
@@ -24,7 +26,9 @@ class SavedStack {
   /// Takes out the sets whose te lies after `step`.
   void dropAfter(std::size_t step);
 
+  /// Whether the set with this id is still there.
   bool holds(std::size_t id) const;
+  /// Number of sets.
   std::size_t size() const { return sets_.size(); }
   /// Memory of all maps held, tiles counted once, MB.
   double megabytes() const;

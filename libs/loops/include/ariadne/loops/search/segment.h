@@ -31,7 +31,7 @@ struct Tie {
 /// Ties of a path at its contacts, measured on the path itself.
 std::vector<Tie> tiesOf(const Track& track, const std::vector<Contact>& contacts);
 
-/// A way drawn given its closures.
+/// The path since an entry point, drawn given its closures.
 struct SegmentSample {
   std::vector<mrpt::math::TPose2D> poses;  ///< of updates te + 1 to the last
   /// By how much the ties that are not doubted add to half the squared Mahalanobis distance of the
