@@ -78,7 +78,7 @@ struct Mapper::Impl {
 
   std::optional<Recaptured> recaptured(const grid::Scan& scan);
   StepReport update(const grid::Scan& scan, const TPose2D& motion,
-                    const std::optional<Recaptured>& known);
+                    const std::optional<Recaptured>& told);
 
   SlamParams params;
   std::shared_ptr<const mrpt::maps::CSimpleMap> known;
@@ -111,16 +111,16 @@ std::optional<Recaptured> Mapper::Impl::recaptured(const grid::Scan& scan) {
 
 /// One update, in the paper's order.
 /// @param motion of the odometry since the last update
-/// @param known it, where the odometry alone does not tell it
+/// @param told it, where the odometry alone does not tell it
 StepReport Mapper::Impl::update(const grid::Scan& scan, const TPose2D& motion,
-                                const std::optional<Recaptured>& known) {
+                                const std::optional<Recaptured>& told) {
   StepReport report;
   report.step = particles.step();
   report.particles = particles.size();
   {
     Stopwatch watch(times.predict_s);
-    if (known)
-      particles.predict(known->motion, known->covariance);
+    if (told)
+      particles.predict(told->motion, told->covariance);
     else
       particles.predict(motion);
     particles.match(scan);

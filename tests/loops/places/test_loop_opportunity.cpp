@@ -51,7 +51,9 @@ TEST(LoopOpportunity, PlacesOfInterestAreNearByTheMapAndFarByTheGraph) {
     EXPECT_LT(p.dist_m, params.c1_m);
     EXPECT_GT(p.dist_g, params.c2_m);
     nearest = std::min(nearest, p.dist_m);
-    if (p.place == found->entry) EXPECT_EQ(p.dist_m, found->dist_m_m);
+    if (p.place == found->entry) {
+      EXPECT_EQ(p.dist_m, found->dist_m_m);
+    }
   }
   EXPECT_EQ(nearest, found->dist_m_m) << "the entry is the nearest of them";
 }
