@@ -7,9 +7,9 @@
 
 #include "ariadne/io/whole_file.h"
 #include "ariadne/page/glossary.h"
+#include "ariadne/page/head.h"
 #include "ariadne/page/html.h"
 #include "ariadne/page/parts.h"
-#include "ariadne/page/style.h"
 #include "comparison_output.h"
 #include "page_files.h"
 
@@ -68,11 +68,11 @@ std::string requirementsHtml(const Comparison& c, const std::vector<Requirement>
 
 std::string comparisonPage(const Comparison& c, const std::vector<Requirement>& requirements,
                            const fs::path& ours, const fs::path& stock) {
+  const std::string title =
+      "ariadne-slam and stock MRPT on " + fs::path(c.dataset).filename().string();
   return page::filledTemplate(kPageHtml, [&](std::string_view part) -> std::string {
-    if (part == "title")
-      return escapedHtml("ariadne-slam and stock MRPT on " +
-                         fs::path(c.dataset).filename().string());
-    if (part == "style") return std::string(page::kStyle) + std::string(kPageStyle);
+    if (part == "head") return page::headHtml(title, kPageStyle, page::Scripts::none);
+    if (part == "title") return escapedHtml(title);
     if (part == "facts") return factsHtml(c);
     if (part == "figures") return figuresHtml(c);
     if (part == "repeats") return repeatsText(c);

@@ -5,9 +5,9 @@
 #include "ariadne/batch/config_differences.h"
 #include "ariadne/batch/run_counts.h"
 #include "ariadne/io/whole_file.h"
+#include "ariadne/page/head.h"
 #include "ariadne/page/html.h"
 #include "ariadne/page/parts.h"
-#include "ariadne/page/style.h"
 #include "page_files.h"
 #include "page_plots.h"
 #include "page_runs.h"
@@ -105,7 +105,7 @@ std::string experimentPage(const Outcome& o, const Store& store) {
   const Configs configs = configsOf(o.plan, store);
   return page::filledTemplate(kPageHtml, [&](std::string_view part) -> std::string {
     if (part == "title") return page::escapedHtml(o.plan.title);
-    if (part == "style") return std::string(page::kStyle) + std::string(kPageStyle);
+    if (part == "head") return page::headHtml(o.plan.title, kPageStyle, page::Scripts::none);
     if (part == "facts") return factsHtml(o);
     if (part == "results") return resultsHtml(o);
     if (part == "plots") return plotsHtml(o.plots, o.pictures);

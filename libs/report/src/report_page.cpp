@@ -1,8 +1,8 @@
 #include "ariadne/report/report_page.h"
 
 #include "ariadne/io/whole_file.h"
+#include "ariadne/page/head.h"
 #include "ariadne/page/html.h"
-#include "ariadne/page/style.h"
 #include "page_files.h"
 #include "replay_json.h"
 #include "thinning.h"
@@ -13,7 +13,7 @@ namespace {
 std::string pageOf(const Replay& replay) {
   return page::filledTemplate(kPageHtml, [&](std::string_view name) -> std::string {
     if (name == "title") return page::escapedHtml(replay.title);
-    if (name == "style") return std::string(page::kStyle) + std::string(kPageStyle);
+    if (name == "head") return page::headHtml(replay.title, kPageStyle, page::Scripts::own);
     if (name == "chart.js") return std::string(kPageChartJs);
     if (name == "script") return std::string(kPageScript);
     return replayJson(replay);
