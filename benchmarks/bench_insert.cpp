@@ -2,7 +2,7 @@
 // of an open place into the maps of many particles. Ratios between lines of one run count.
 #include <benchmark/benchmark.h>
 
-#include "ariadne/grid/occupancy_grid.h"
+#include "ariadne/grid/map/occupancy_grid.h"
 #include "corridor.h"
 
 using namespace ariadne;

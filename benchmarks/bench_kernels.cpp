@@ -1,7 +1,7 @@
 // The parts of a filter update, a particle each, in a room of 8 x 5 m.
 #include <benchmark/benchmark.h>
 
-#include "ariadne/grid/endpoint_likelihood.h"
+#include "ariadne/grid/field/endpoint_likelihood.h"
 #include "ariadne/models/proposal.h"
 #include "ariadne/models/scan_matcher.h"
 #include "room.h"

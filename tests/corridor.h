@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ariadne/core/random.h"
-#include "ariadne/grid/occupancy_grid.h"
+#include "ariadne/grid/map/occupancy_grid.h"
 
 namespace ariadne::test {
 

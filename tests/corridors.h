@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "ariadne/grid/occupancy_grid.h"
+#include "ariadne/grid/map/occupancy_grid.h"
 
 namespace ariadne::test {
 

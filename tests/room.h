@@ -4,8 +4,8 @@
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/poses/CPose2D.h>
 
-#include "ariadne/grid/occupancy_grid.h"
-#include "ariadne/grid/scan_shape.h"
+#include "ariadne/grid/insertion/scan_shape.h"
+#include "ariadne/grid/map/occupancy_grid.h"
 
 namespace ariadne::test {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ariadne/grid/rounding.h"
+#include "ariadne/grid/tiles/rounding.h"
 
 namespace ariadne::grid {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "ariadne/core/error.h"
-#include "ariadne/grid/conversion.h"
+#include "ariadne/grid/map/conversion.h"
 #include "scans.h"
 
 using namespace ariadne;

@@ -3,7 +3,7 @@
 #include <thread>
 #include <vector>
 
-#include "ariadne/grid/cow.h"
+#include "ariadne/grid/tiles/cow.h"
 
 using ariadne::grid::Cow;
 

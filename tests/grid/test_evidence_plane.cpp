@@ -8,7 +8,7 @@
 #include "../../libs/grid/src/tiles/tile_mask.h"
 #include "ariadne/core/error.h"
 #include "ariadne/core/random.h"
-#include "ariadne/grid/evidence_plane.h"
+#include "ariadne/grid/tiles/evidence_plane.h"
 
 using namespace ariadne;
 using grid::EvidencePlane;

@@ -1,8 +1,8 @@
 // A batch reads what FieldSampler reads point by point, to the bit.
 #include <gtest/gtest.h>
 
-#include "ariadne/grid/field_batch.h"
-#include "ariadne/grid/field_sampler.h"
+#include "ariadne/grid/field/field_batch.h"
+#include "ariadne/grid/field/field_sampler.h"
 #include "scans.h"
 
 using namespace ariadne;

@@ -4,7 +4,7 @@
 #include <queue>
 
 #include "ariadne/core/random.h"
-#include "ariadne/grid/free_distance.h"
+#include "ariadne/grid/queries/free_distance.h"
 #include "corridors.h"
 
 using namespace ariadne;

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "ariadne/core/error.h"
-#include "ariadne/grid/occupancy_grid.h"
+#include "ariadne/grid/map/occupancy_grid.h"
 #include "polygon_rows.h"
 #include "scans.h"
 

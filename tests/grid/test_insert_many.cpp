@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "ariadne/core/error.h"
-#include "ariadne/grid/conversion.h"
-#include "ariadne/grid/occupancy_grid.h"
+#include "ariadne/grid/map/conversion.h"
+#include "ariadne/grid/map/occupancy_grid.h"
 #include "corridor.h"
 #include "scans.h"
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "ariadne/grid/field_sampler.h"
-#include "ariadne/grid/occupancy_grid.h"
+#include "ariadne/grid/field/field_sampler.h"
+#include "ariadne/grid/map/occupancy_grid.h"
 #include "scans.h"
 
 using namespace ariadne;

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "ariadne/core/random.h"
-#include "ariadne/grid/line_of_sight.h"
+#include "ariadne/grid/queries/line_of_sight.h"
 
 using namespace ariadne;
 using grid::Cell;

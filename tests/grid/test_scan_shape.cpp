@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ariadne/grid/scan_shape.h"
+#include "ariadne/grid/insertion/scan_shape.h"
 #include "scans.h"
 
 using namespace ariadne;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ariadne/core/random.h"
-#include "ariadne/grid/tile_pool.h"
+#include "ariadne/grid/tiles/tile_pool.h"
 
 using ariadne::core::RandomStream;
 using ariadne::grid::TilePool;

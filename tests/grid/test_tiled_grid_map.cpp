@@ -6,7 +6,7 @@
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/serialization/CArchive.h>
 
-#include "ariadne/grid/tiled_grid_map.h"
+#include "ariadne/grid/map/tiled_grid_map.h"
 #include "scans.h"
 
 using namespace ariadne;

@@ -4,7 +4,7 @@
 
 #include "ariadne/core/error.h"
 #include "ariadne/core/random.h"
-#include "ariadne/grid/tiled_plane.h"
+#include "ariadne/grid/tiles/tiled_plane.h"
 
 using ariadne::grid::TiledPlane;
 using Plane = TiledPlane<std::int8_t>;

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "ariadne/geometry/pose.h"
-#include "ariadne/grid/scan_shape.h"
+#include "ariadne/grid/insertion/scan_shape.h"
 
 namespace ariadne::checks {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "ariadne/geometry/pose.h"
-#include "ariadne/grid/endpoint_likelihood.h"
-#include "ariadne/grid/field_batch.h"
+#include "ariadne/grid/field/endpoint_likelihood.h"
+#include "ariadne/grid/field/field_batch.h"
 
 namespace ariadne::models {
 namespace {

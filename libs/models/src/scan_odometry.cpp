@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "ariadne/geometry/pose.h"
-#include "ariadne/grid/endpoint_likelihood.h"
-#include "ariadne/grid/scan_shape.h"
+#include "ariadne/grid/field/endpoint_likelihood.h"
+#include "ariadne/grid/insertion/scan_shape.h"
 
 namespace ariadne::models {
 namespace {

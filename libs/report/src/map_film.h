@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include "ariadne/grid/occupancy_grid.h"
+#include "ariadne/grid/map/occupancy_grid.h"
 #include "tile_store.h"
 
 namespace ariadne::report {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "ariadne/grid/tiled_grid_map.h"
+#include "ariadne/grid/map/tiled_grid_map.h"
 #include "ariadne/slam/rbpf_map_builder.h"
 
 namespace ariadne::slam {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "ariadne/geometry/pose.h"
-#include "ariadne/grid/endpoint_likelihood.h"
+#include "ariadne/grid/field/endpoint_likelihood.h"
 #include "ariadne/models/scan_matcher.h"
 
 namespace ariadne::slam {

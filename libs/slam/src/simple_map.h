@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ariadne/filter/ancestry.h"
-#include "ariadne/grid/occupancy_grid.h"
+#include "ariadne/grid/map/occupancy_grid.h"
 
 namespace ariadne::slam {
 

@@ -4,7 +4,7 @@
 
 #include "ariadne/core/error.h"
 #include "ariadne/geometry/pose.h"
-#include "ariadne/grid/endpoint_likelihood.h"
+#include "ariadne/grid/field/endpoint_likelihood.h"
 #include "ariadne/loops/search/piece.h"
 #include "ariadne/loops/search/place_search.h"
 #include "ariadne/models/motion_model.h"

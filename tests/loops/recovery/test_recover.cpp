@@ -5,7 +5,7 @@
 #include <set>
 
 #include "ariadne/geometry/pose.h"
-#include "ariadne/grid/tile_pool.h"
+#include "ariadne/grid/tiles/tile_pool.h"
 #include "filter_drive.h"
 
 using namespace ariadne;

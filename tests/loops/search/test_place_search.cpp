@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "ariadne/grid/endpoint_likelihood.h"
+#include "ariadne/grid/field/endpoint_likelihood.h"
 #include "ariadne/loops/search/place_search.h"
 #include "room.h"
 

@@ -1,9 +1,9 @@
-#include "ariadne/grid/endpoint_likelihood.h"
+#include "ariadne/grid/field/endpoint_likelihood.h"
 
 #include <cmath>
 
-#include "ariadne/grid/field_batch.h"
-#include "ariadne/grid/field_sampler.h"
+#include "ariadne/grid/field/field_batch.h"
+#include "ariadne/grid/field/field_sampler.h"
 
 namespace ariadne::grid {
 

@@ -1,4 +1,4 @@
-#include "ariadne/grid/field_batch.h"
+#include "ariadne/grid/field/field_batch.h"
 
 #include <algorithm>
 #include <cmath>

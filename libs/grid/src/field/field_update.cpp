@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "ariadne/grid/likelihood_field.h"
+#include "ariadne/grid/field/likelihood_field.h"
 #include "field/field_window.h"
 
 namespace ariadne::grid {

@@ -3,8 +3,8 @@
 #pragma once
 #include <vector>
 
-#include "ariadne/grid/evidence_plane.h"
-#include "ariadne/grid/likelihood_field.h"
+#include "ariadne/grid/field/likelihood_field.h"
+#include "ariadne/grid/tiles/evidence_plane.h"
 
 namespace ariadne::grid {
 

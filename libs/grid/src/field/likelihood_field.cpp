@@ -1,4 +1,4 @@
-#include "ariadne/grid/likelihood_field.h"
+#include "ariadne/grid/field/likelihood_field.h"
 
 #include <algorithm>
 #include <cmath>

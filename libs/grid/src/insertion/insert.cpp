@@ -1,6 +1,6 @@
 // How one scan enters the grid. Three quarters of a filter's time would go here with a fill ray by
 // ray, since beams overlap near the robot; the outline's bits name each cell once.
-#include "ariadne/grid/occupancy_grid.h"
+#include "ariadne/grid/map/occupancy_grid.h"
 #include "insertion/scan_raster.h"
 
 namespace ariadne::grid {

@@ -1,4 +1,4 @@
-#include "ariadne/grid/occupancy_grid.h"
+#include "ariadne/grid/map/occupancy_grid.h"
 #include "insertion/scan_batch.h"
 
 namespace ariadne::grid {

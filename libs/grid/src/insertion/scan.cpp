@@ -1,8 +1,8 @@
-#include "ariadne/grid/scan.h"
+#include "ariadne/grid/insertion/scan.h"
 
 #include <utility>
 
-#include "ariadne/grid/endpoint_likelihood.h"
+#include "ariadne/grid/field/endpoint_likelihood.h"
 #include "insertion/scan_returns.h"
 
 namespace ariadne::grid {

@@ -4,8 +4,8 @@
 #pragma once
 #include <vector>
 
-#include "ariadne/grid/evidence_plane.h"
-#include "ariadne/grid/log_odds.h"
+#include "ariadne/grid/tiles/evidence_plane.h"
+#include "ariadne/grid/tiles/log_odds.h"
 #include "insertion/scan_raster.h"
 
 namespace ariadne::grid {

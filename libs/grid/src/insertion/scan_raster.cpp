@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "ariadne/core/error.h"
-#include "ariadne/grid/rounding.h"
+#include "ariadne/grid/tiles/rounding.h"
 #include "field/two_doubles.h"
 
 namespace ariadne::grid {

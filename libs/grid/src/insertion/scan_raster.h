@@ -10,8 +10,8 @@
 
 #include <vector>
 
-#include "ariadne/grid/likelihood_field.h"
-#include "ariadne/grid/scan_shape.h"
+#include "ariadne/grid/field/likelihood_field.h"
+#include "ariadne/grid/insertion/scan_shape.h"
 #include "tiles/tile_mask.h"
 
 namespace ariadne::grid {

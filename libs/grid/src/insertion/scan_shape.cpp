@@ -1,4 +1,4 @@
-#include "ariadne/grid/scan_shape.h"
+#include "ariadne/grid/insertion/scan_shape.h"
 
 #include <algorithm>
 #include <cmath>

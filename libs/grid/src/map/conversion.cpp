@@ -1,4 +1,4 @@
-#include "ariadne/grid/conversion.h"
+#include "ariadne/grid/map/conversion.h"
 
 #include <algorithm>
 #include <cmath>

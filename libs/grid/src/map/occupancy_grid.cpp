@@ -1,9 +1,9 @@
-#include "ariadne/grid/occupancy_grid.h"
+#include "ariadne/grid/map/occupancy_grid.h"
 
 #include <algorithm>
 #include <limits>
 
-#include "ariadne/grid/rounding.h"
+#include "ariadne/grid/tiles/rounding.h"
 #include "tiles/tile_mask.h"
 
 namespace ariadne::grid {

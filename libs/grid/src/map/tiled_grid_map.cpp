@@ -1,4 +1,4 @@
-#include "ariadne/grid/tiled_grid_map.h"
+#include "ariadne/grid/map/tiled_grid_map.h"
 
 #include <mrpt/config/CConfigFileBase.h>
 #include <mrpt/core/initializer.h>
@@ -10,7 +10,7 @@
 #include <algorithm>
 
 #include "ariadne/core/error.h"
-#include "ariadne/grid/conversion.h"
+#include "ariadne/grid/map/conversion.h"
 
 using ariadne::grid::TiledGridMap;
 using mrpt::config::CConfigFileBase;

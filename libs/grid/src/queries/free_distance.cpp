@@ -1,4 +1,4 @@
-#include "ariadne/grid/free_distance.h"
+#include "ariadne/grid/queries/free_distance.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "ariadne/grid/line_of_sight.h"
+#include "ariadne/grid/queries/line_of_sight.h"
 
 namespace ariadne::grid {
 

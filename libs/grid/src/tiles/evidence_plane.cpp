@@ -1,4 +1,4 @@
-#include "ariadne/grid/evidence_plane.h"
+#include "ariadne/grid/tiles/evidence_plane.h"
 
 #include <algorithm>
 

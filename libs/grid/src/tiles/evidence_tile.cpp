@@ -1,11 +1,11 @@
-#include "ariadne/grid/evidence_tile.h"
+#include "ariadne/grid/tiles/evidence_tile.h"
 
 #include <algorithm>
 #include <cstring>
 #include <new>
 #include <vector>
 
-#include "ariadne/grid/tile_pool.h"
+#include "ariadne/grid/tiles/tile_pool.h"
 #include "tiles/bits.h"
 
 namespace ariadne::grid {

@@ -1,7 +1,7 @@
 // Evidence for free on its way into one packed tile: what it would change is worked out first,
 // since a write may copy the tile.
 #pragma once
-#include "ariadne/grid/evidence_tile.h"
+#include "ariadne/grid/tiles/evidence_tile.h"
 #include "tiles/tile_mask.h"
 
 namespace ariadne::grid {

@@ -1,4 +1,4 @@
-#include "ariadne/grid/free_counts.h"
+#include "ariadne/grid/tiles/free_counts.h"
 
 #include <vector>
 

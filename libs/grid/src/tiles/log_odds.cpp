@@ -1,4 +1,4 @@
-#include "ariadne/grid/log_odds.h"
+#include "ariadne/grid/tiles/log_odds.h"
 
 #include <mrpt/maps/COccupancyGridMap2D.h>
 

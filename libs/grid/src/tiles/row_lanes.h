@@ -3,8 +3,8 @@
 #pragma once
 #include <cstdint>
 
-#include "ariadne/grid/log_odds.h"
-#include "ariadne/grid/tiled_plane.h"
+#include "ariadne/grid/tiles/log_odds.h"
+#include "ariadne/grid/tiles/tiled_plane.h"
 
 #if defined(__SSE2__)
 #include <emmintrin.h>

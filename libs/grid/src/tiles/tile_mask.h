@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "ariadne/grid/tiled_plane.h"
+#include "ariadne/grid/tiles/tiled_plane.h"
 
 namespace ariadne::grid {
 

@@ -1,6 +1,6 @@
 // Between a packed tile and its 1024 bytes of log odds, for what works cell by cell.
 #pragma once
-#include "ariadne/grid/evidence_plane.h"
+#include "ariadne/grid/tiles/evidence_plane.h"
 
 namespace ariadne::grid {
 

@@ -1,4 +1,4 @@
-#include "ariadne/grid/tile_pool.h"
+#include "ariadne/grid/tiles/tile_pool.h"
 
 #include <sys/mman.h>
 

@@ -1,4 +1,4 @@
-#include "ariadne/grid/tile_table.h"
+#include "ariadne/grid/tiles/tile_table.h"
 
 #include <algorithm>
 

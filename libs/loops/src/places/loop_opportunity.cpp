@@ -6,7 +6,7 @@
 
 #include "ariadne/core/error.h"
 #include "ariadne/geometry/pose.h"
-#include "ariadne/grid/free_distance.h"
+#include "ariadne/grid/queries/free_distance.h"
 
 namespace ariadne::loops {
 

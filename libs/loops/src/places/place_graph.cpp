@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "ariadne/geometry/pose.h"
-#include "ariadne/grid/line_of_sight.h"
+#include "ariadne/grid/queries/line_of_sight.h"
 
 namespace ariadne::loops {
 namespace {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "ariadne/filter/particle.h"
-#include "ariadne/grid/scan_shape.h"
+#include "ariadne/grid/insertion/scan_shape.h"
 #include "ariadne/loops/recovery/saved_set.h"
 
 namespace ariadne::loops {

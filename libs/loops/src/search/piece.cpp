@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "ariadne/geometry/pose.h"
-#include "ariadne/grid/endpoint_likelihood.h"
+#include "ariadne/grid/field/endpoint_likelihood.h"
 
 namespace ariadne::loops {
 

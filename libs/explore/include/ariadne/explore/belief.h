@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ariadne/filter/ancestry.h"
-#include "ariadne/grid/occupancy_grid.h"
+#include "ariadne/grid/map/occupancy_grid.h"
 #include "ariadne/loops/closing/loop_watcher.h"
 #include "ariadne/slam/mapper.h"
 

@@ -5,7 +5,7 @@
 
 #include "ariadne/core/release_chain.h"
 #include "ariadne/filter/ancestry.h"
-#include "ariadne/grid/occupancy_grid.h"
+#include "ariadne/grid/map/occupancy_grid.h"
 
 namespace ariadne::filter {
 

@@ -6,7 +6,7 @@
 #include <deque>
 
 #include "ariadne/filter/ancestry.h"
-#include "ariadne/grid/occupancy_grid.h"
+#include "ariadne/grid/map/occupancy_grid.h"
 #include "ariadne/models/proposal.h"
 #include "ariadne/models/scan_matcher.h"
 

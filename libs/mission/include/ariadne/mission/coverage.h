@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "ariadne/geometry/trajectory.h"
-#include "ariadne/grid/occupancy_grid.h"
+#include "ariadne/grid/map/occupancy_grid.h"
 #include "ariadne/models/sensor_step.h"
 #include "ariadne/sim/params.h"
 #include "ariadne/sim/world.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ariadne/core/random.h"
-#include "ariadne/grid/endpoint_likelihood.h"
+#include "ariadne/grid/field/endpoint_likelihood.h"
 
 namespace ariadne::models {
 

@@ -8,7 +8,7 @@
 #include <Eigen/Dense>
 #include <vector>
 
-#include "ariadne/grid/occupancy_grid.h"
+#include "ariadne/grid/map/occupancy_grid.h"
 #include "ariadne/models/params.h"
 
 namespace ariadne::models {

@@ -6,7 +6,7 @@
 
 #include <cstddef>
 
-#include "ariadne/grid/occupancy_grid.h"
+#include "ariadne/grid/map/occupancy_grid.h"
 #include "ariadne/models/scan_matcher.h"
 #include "ariadne/models/sensor_step.h"
 

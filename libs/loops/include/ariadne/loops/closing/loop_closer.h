@@ -9,7 +9,7 @@
 #include "ariadne/core/parallel.h"
 #include "ariadne/filter/particle_set.h"
 #include "ariadne/geometry/weighted_poses.h"
-#include "ariadne/grid/scan.h"
+#include "ariadne/grid/insertion/scan.h"
 #include "ariadne/loops/closing/closing_record.h"
 #include "ariadne/loops/closing/loop_watcher.h"
 #include "ariadne/loops/recovery/params.h"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "ariadne/grid/occupancy_grid.h"
+#include "ariadne/grid/map/occupancy_grid.h"
 #include "ariadne/loops/places/place_graph.h"
 
 namespace ariadne::loops {

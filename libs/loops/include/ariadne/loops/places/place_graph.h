@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ariadne/grid/occupancy_grid.h"
+#include "ariadne/grid/map/occupancy_grid.h"
 #include "ariadne/loops/places/params.h"
 #include "ariadne/loops/places/shared_list.h"
 

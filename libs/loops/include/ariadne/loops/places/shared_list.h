@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "ariadne/grid/cow.h"
+#include "ariadne/grid/tiles/cow.h"
 
 namespace ariadne::loops {
 

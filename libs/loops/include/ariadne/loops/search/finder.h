@@ -9,9 +9,9 @@
 #include <optional>
 #include <vector>
 
-#include "ariadne/grid/endpoint_likelihood.h"
+#include "ariadne/grid/field/endpoint_likelihood.h"
+#include "ariadne/grid/insertion/scan.h"
 #include "ariadne/grid/params.h"
-#include "ariadne/grid/scan.h"
 #include "ariadne/loops/search/contact_book.h"
 #include "ariadne/loops/search/correlation.h"
 #include "ariadne/loops/search/segment.h"

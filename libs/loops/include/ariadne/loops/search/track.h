@@ -9,7 +9,7 @@
 
 #include "ariadne/filter/ancestry.h"
 #include "ariadne/geometry/pose.h"
-#include "ariadne/grid/scan_shape.h"
+#include "ariadne/grid/insertion/scan_shape.h"
 
 namespace ariadne::loops {
 

@@ -3,8 +3,8 @@
 #pragma once
 #include <cmath>
 
-#include "ariadne/grid/occupancy_grid.h"
-#include "ariadne/grid/rounding.h"
+#include "ariadne/grid/map/occupancy_grid.h"
+#include "ariadne/grid/tiles/rounding.h"
 
 namespace ariadne::grid {
 

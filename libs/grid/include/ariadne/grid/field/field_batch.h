@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "ariadne/grid/occupancy_grid.h"
+#include "ariadne/grid/map/occupancy_grid.h"
 
 namespace ariadne::grid {
 

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "ariadne/grid/free_counts.h"
-#include "ariadne/grid/tiled_plane.h"
+#include "ariadne/grid/tiles/free_counts.h"
+#include "ariadne/grid/tiles/tiled_plane.h"
 
 namespace ariadne::grid {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "ariadne/grid/log_odds.h"
+#include "ariadne/grid/tiles/log_odds.h"
 
 namespace ariadne::grid {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ariadne/grid/evidence_tile.h"
+#include "ariadne/grid/tiles/evidence_tile.h"
 
 namespace ariadne::grid {
 

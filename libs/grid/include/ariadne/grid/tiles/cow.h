@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "ariadne/grid/tile_pool.h"
+#include "ariadne/grid/tiles/tile_pool.h"
 
 namespace ariadne::grid {
 

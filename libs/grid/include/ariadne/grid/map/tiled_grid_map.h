@@ -7,8 +7,8 @@
 #include <mrpt/maps/TMetricMapInitializer.h>
 #include <mrpt/maps/TMetricMapTypesRegistry.h>
 
-#include "ariadne/grid/endpoint_likelihood.h"
-#include "ariadne/grid/occupancy_grid.h"
+#include "ariadne/grid/field/endpoint_likelihood.h"
+#include "ariadne/grid/map/occupancy_grid.h"
 
 namespace ariadne::grid {
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ariadne/grid/cow.h"
+#include "ariadne/grid/tiles/cow.h"
 
 namespace ariadne::grid {
 

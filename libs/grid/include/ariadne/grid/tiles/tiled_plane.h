@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "ariadne/grid/tile_table.h"
+#include "ariadne/grid/tiles/tile_table.h"
 
 namespace ariadne::grid {
 

@@ -11,8 +11,8 @@
 #include <memory>
 #include <vector>
 
-#include "ariadne/grid/evidence_plane.h"
-#include "ariadne/grid/tiled_plane.h"
+#include "ariadne/grid/tiles/evidence_plane.h"
+#include "ariadne/grid/tiles/tiled_plane.h"
 
 namespace ariadne::grid {
 

@@ -10,7 +10,7 @@
 #include <array>
 #include <vector>
 
-#include "ariadne/grid/occupancy_grid.h"
+#include "ariadne/grid/map/occupancy_grid.h"
 #include "ariadne/grid/params.h"
 
 namespace ariadne::grid {

@@ -1,7 +1,7 @@
 // Straight lines through the grid: which cells they cross, and whether a wall is between.
 // Amanatides and Woo, "A fast voxel traversal algorithm for ray tracing", Eurographics 1987.
 #pragma once
-#include "ariadne/grid/occupancy_grid.h"
+#include "ariadne/grid/map/occupancy_grid.h"
 
 namespace ariadne::grid {
 
@@ -17,4 +17,4 @@ bool inSight(const OccupancyGrid& grid, const mrpt::math::TPoint2D& a,
 
 }  // namespace ariadne::grid
 
-#include "ariadne/grid/traverse_impl.h"
+#include "ariadne/grid/queries/traverse_impl.h"

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "ariadne/grid/scan_shape.h"
+#include "ariadne/grid/insertion/scan_shape.h"
 
 namespace ariadne::grid {
 

@@ -5,11 +5,11 @@
 
 #include <memory>
 
-#include "ariadne/grid/evidence_plane.h"
-#include "ariadne/grid/likelihood_field.h"
-#include "ariadne/grid/log_odds.h"
-#include "ariadne/grid/scan_shape.h"
-#include "ariadne/grid/tiled_plane.h"
+#include "ariadne/grid/field/likelihood_field.h"
+#include "ariadne/grid/insertion/scan_shape.h"
+#include "ariadne/grid/tiles/evidence_plane.h"
+#include "ariadne/grid/tiles/log_odds.h"
+#include "ariadne/grid/tiles/tiled_plane.h"
 
 namespace ariadne::grid {
 

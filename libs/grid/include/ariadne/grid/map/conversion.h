@@ -2,7 +2,7 @@
 #pragma once
 #include <mrpt/maps/COccupancyGridMap2D.h>
 
-#include "ariadne/grid/occupancy_grid.h"
+#include "ariadne/grid/map/occupancy_grid.h"
 
 namespace ariadne::grid {
 
