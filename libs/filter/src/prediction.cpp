@@ -13,7 +13,7 @@ using mrpt::math::TPose2D;
 
 namespace {
 
-/// A way that no scan checks drifts by more than the noise of its steps, since wheels are not as
+/// A motion that no scan checks drifts by more than the noise of its steps, since wheels are not as
 /// round and as large as they are told: variances of (x, y, heading) per metre.
 Eigen::Matrix3d uncheckedDriftPerMetre() {
   const double turn = 0.3 * M_PI / 180;

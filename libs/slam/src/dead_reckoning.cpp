@@ -55,12 +55,12 @@ TPose2D DeadReckoning::add(const models::SensorStep& step) {
 }
 
 void DeadReckoning::passBlind() {
-  const TPose2D way = geometry::relativePose(at_part_, here_);
-  if (std::hypot(way.x, way.y) < kPart_m && std::abs(way.phi) < kPart_rad) return;
+  const TPose2D motion = geometry::relativePose(at_part_, here_);
+  if (std::hypot(motion.x, motion.y) < kPart_m && std::abs(motion.phi) < kPart_rad) return;
   if (!doubt_) doubt_.emplace();
-  const Eigen::Matrix3d of_way = models::Motion(way, motion_).covariance({0, 0, 0});
+  const Eigen::Matrix3d of_motion = models::Motion(motion, motion_).covariance({0, 0, 0});
   doubt_->covariance = geometry::composedCovariance(geometry::relativePose(at_update_, at_part_),
-                                                    doubt_->covariance, way, of_way);
+                                                    doubt_->covariance, motion, of_motion);
   doubt_->blind = true;
   at_part_ = here_;
 }
@@ -76,8 +76,8 @@ void DeadReckoning::update(const TPose2D& here) {
 }
 
 TPose2D DeadReckoning::sinceUpdate() const { return geometry::relativePose(at_update_, here_); }
-TPose2D DeadReckoning::afterUpdate(const TPose2D& way) const {
-  return geometry::compose(at_update_, way);
+TPose2D DeadReckoning::afterUpdate(const TPose2D& motion) const {
+  return geometry::compose(at_update_, motion);
 }
 
 }  // namespace ariadne::slam

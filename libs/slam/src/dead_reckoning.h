@@ -12,10 +12,10 @@ namespace ariadne::slam {
 
 /// Why the odometry since the last update is not to be taken as usual.
 struct Doubt {
-  /// What the odometry itself says of the way, jump and all; set where it jumped.
+  /// What the odometry itself says of the motion, jump and all; set where it jumped.
   std::optional<mrpt::math::TPose2D> claimed;
   double gap_s = 0;  ///< longest time between the two steps of a jump
-  /// Of the way that was driven blind, in the frame of the last update; 0 where there was none.
+  /// Of the motion that was driven blind, in the frame of the last update; 0 where there was none.
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   bool blind = false;
 };
@@ -27,16 +27,17 @@ class DeadReckoning {
   /// Where the odometry has the robot at this step. Where it jumped the robot is taken to have gone
   /// on as in the step before.
   mrpt::math::TPose2D add(const models::SensorStep& step);
-  /// A scan was due here that showed nothing. After 1 m or 60 degrees of that the way is in doubt.
+  /// A scan was due here that showed nothing. After 1 m or 60 degrees of that the motion is in
+  /// doubt.
   void passBlind();
   /// An update was made here: what comes is counted from it. `here` may be another pose than add()
   /// gave, where a scan told better.
   void update(const mrpt::math::TPose2D& here);
 
-  /// The way since the last update.
+  /// The motion since the last update.
   mrpt::math::TPose2D sinceUpdate() const;
-  /// Where another way since the last update would have led.
-  mrpt::math::TPose2D afterUpdate(const mrpt::math::TPose2D& way) const;
+  /// Where another motion since the last update would have led.
+  mrpt::math::TPose2D afterUpdate(const mrpt::math::TPose2D& motion) const;
   const std::optional<Doubt>& doubt() const { return doubt_; }
 
  private:

@@ -71,10 +71,10 @@ void noteChoice(const Survey& survey, const RosOptions& options, const std::stri
   const OdometrySource& odometry = *choice.odometry;
   choice.notes.push_back(fmt::format("odometry: {}, {} -> {}", odometry.topic, odometry.parent,
                                      base.empty() ? "the robot" : base));
-  const std::string way =
-      options.laser_pose ? "as laser_pose says" : survey.frames.way(base, frame);
+  const std::string chain =
+      options.laser_pose ? "as laser_pose says" : survey.frames.chain(base, frame);
   choice.notes.push_back(fmt::format("the laser on the robot: {}",
-                                     way.empty() ? fmt::format("in its frame {}", base) : way));
+                                     chain.empty() ? fmt::format("in its frame {}", base) : chain));
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ std::optional<CPose3D> Frames::fixed(const std::string& target, const std::strin
   return here_from_source;
 }
 
-std::string Frames::way(const std::string& target, const std::string& source) const {
+std::string Frames::chain(const std::string& target, const std::string& source) const {
   const auto steps = reach(target, true);
   std::string text;
   std::string here = source;

@@ -36,13 +36,13 @@ class Frames {
   /// target_from_source along transforms that do not move. When there is none, nullopt.
   std::optional<mrpt::poses::CPose3D> fixed(const std::string& target,
                                             const std::string& source) const;
-  /// Names of the transforms on the way from target to source, moving ones as well, as
-  /// "a -> b (moves)"; empty where there is no way.
-  std::string way(const std::string& target, const std::string& source) const;
+  /// Names of the transforms on the chain from target to source, moving ones as well, as
+  /// "a -> b (moves)"; empty where there is no chain.
+  std::string chain(const std::string& target, const std::string& source) const;
 
  private:
   struct Step {
-    std::string from;  ///< the frame before on the way from the target
+    std::string from;  ///< the frame before on the chain from the target
     const Edge* edge = nullptr;
     bool down = true;  ///< from parent to child
   };

@@ -51,9 +51,9 @@ std::string whyNoPlace(const Survey& survey, const std::string& base, const std:
         "[dataset] base_frame, or {} (transforms: {})",
         odometry, kSayPlace, transformsOf(survey));
   if (frame.empty()) return fmt::format("the scans name no frame: {}", kSayPlace);
-  const std::string way = survey.frames.way(base, frame);
-  if (!way.empty())
-    return fmt::format("the laser moves on the robot, or its transform is not fixed: {}; {}", way,
+  const std::string chain = survey.frames.chain(base, frame);
+  if (!chain.empty())
+    return fmt::format("the laser moves on the robot, or its transform is not fixed: {}; {}", chain,
                        kSayPlace);
   return fmt::format(
       "where the laser is on the robot is not recorded: no transforms lead from {} to {} (there is "

@@ -28,7 +28,7 @@ struct StageTimes {
   double loops_s = 0;    ///< graphs of places, detection, saving, recovery
 };
 
-/// Steps at which odometry and scan alone did not tell the way as usual.
+/// Steps at which odometry and scan alone did not tell the motion as usual.
 struct DoubtCounts {
   std::size_t blind_scans = 0;        ///< due for an update, but hardly a beam returned: none made
   std::size_t jumps_by_scan = 0;      ///< odometry jumped; the scan told where the robot was
