@@ -40,7 +40,9 @@ struct ShortDrive {
     EXPECT_GT(
         std::hypot(match.map_from_robot.x - predicted.x, match.map_from_robot.y - predicted.y),
         0.2);  // it is disputed
-    return recent.settled(match, {predicted, covariance}, matcher, points, leaf);
+    const models::PosePrior prior{predicted, covariance};
+    if (!recent.dispute(match, prior)) return match;
+    return filter::RecentScans::settled(match, recent.matched(prior, matcher, points, leaf), prior);
   }
 
   mrpt::maps::COccupancyGridMap2D world = test::roomWorld();

@@ -20,6 +20,11 @@ Eigen::Matrix3d uncheckedDriftPerMetre() {
   return Eigen::Vector3d(0.03, 0.015, turn).cwiseAbs2().asDiagonal();
 }
 
+/// The last metres of s* confirm a match that is off the odometry when they place the robot off it,
+/// too, by more than this share. Of 435 disputed matches on MRPT's sample, 434 had over 0.9 and all
+/// stayed; of 451 on a drive of the Infinite Corridor, 339 had under 0.5, 65 over 0.8.
+constexpr double kSlipped = 0.8;
+
 }  // namespace
 
 void ParticleSet::predict(const TPose2D& increment) {
@@ -49,11 +54,28 @@ void ParticleSet::predictBy(const models::Motion& motion) {
 void ParticleSet::match(const grid::Scan& scan) {
   if (!matches()) return;
   parallel_.forEach(size(), [&](std::size_t i) {
-    const Particle& particle = (*this)[i];
     const models::PosePrior& prior = candidates_[i].prior;
-    candidates_[i].match =
-        recent_.settled(matcher_(particle.map, scan.features, prior.mean, prior.covariance), prior,
-                        matcher_, scan.features, particle.ancestor);
+    candidates_[i].match = matcher_((*this)[i].map, scan.features, prior.mean, prior.covariance);
+  });
+  settleDisputes(scan);
+}
+
+/// Where a match is far off the odometry, the last metres of the hypothesis are asked. A map of
+/// them for each hypothesis is dear: where those of s* say that the wheels slipped, none is made.
+void ParticleSet::settleDisputes(const grid::Scan& scan) {
+  std::vector<std::size_t> disputed;
+  for (std::size_t i = 0; i < size(); ++i)
+    if (recent_.dispute(candidates_[i].match, candidates_[i].prior)) disputed.push_back(i);
+  if (disputed.empty()) return;
+  const auto recent = [&](std::size_t i) {
+    return recent_.matched(candidates_[i].prior, matcher_, scan.features, (*this)[i].ancestor);
+  };
+  const std::size_t star = best();
+  const double slip = sigmasOff(recent(star).map_from_robot, candidates_[star].prior);
+  parallel_.forEach(disputed.size(), [&](std::size_t k) {
+    Candidate& c = candidates_[disputed[k]];
+    if (slip > kSlipped * sigmasOff(c.match.map_from_robot, c.prior)) return;
+    c.match = RecentScans::settled(c.match, recent(disputed[k]), c.prior);
   });
 }
 

@@ -7,14 +7,13 @@ namespace {
 
 constexpr double kLength_m = 10;
 
-/// Mahalanobis distance of a pose from the prior's mean.
+}  // namespace
+
 double sigmasOff(const mrpt::math::TPose2D& pose, const models::PosePrior& prior) {
   const Eigen::Vector3d d(pose.x - prior.mean.x, pose.y - prior.mean.y,
                           std::remainder(pose.phi - prior.mean.phi, 2 * M_PI));
   return std::sqrt(d.dot(prior.covariance.ldlt().solve(d)));
 }
-
-}  // namespace
 
 void RecentScans::add(std::size_t step, const grid::ScanShape& shape, double travelled_m) {
   if (sigmas_ == 0) return;
@@ -26,15 +25,21 @@ void RecentScans::add(std::size_t step, const grid::ScanShape& shape, double tra
   }
 }
 
-models::Match RecentScans::settled(const models::Match& match, const models::PosePrior& prior,
+bool RecentScans::dispute(const models::Match& match, const models::PosePrior& prior) const {
+  return sigmas_ > 0 && match.accepted && sigmasOff(match.map_from_robot, prior) > sigmas_;
+}
+
+models::Match RecentScans::matched(const models::PosePrior& prior,
                                    const models::ScanMatcher& matcher,
                                    const std::vector<mrpt::math::TPoint2D>& points,
                                    const AncestorPtr& leaf) const {
-  if (sigmas_ == 0 || !match.accepted) return match;
-  const double off = sigmasOff(match.map_from_robot, prior);
-  if (off <= sigmas_) return match;
-  const models::Match recent = matcher(mapAlong(leaf), points, prior.mean, prior.covariance);
-  const bool other = sigmasOff(recent.map_from_robot, prior) < off / 2;
+  return matcher(mapAlong(leaf), points, prior.mean, prior.covariance);
+}
+
+models::Match RecentScans::settled(const models::Match& match, const models::Match& recent,
+                                   const models::PosePrior& prior) {
+  const bool other =
+      sigmasOff(recent.map_from_robot, prior) < sigmasOff(match.map_from_robot, prior) / 2;
   return other && recent.score > match.score ? recent : match;
 }
 

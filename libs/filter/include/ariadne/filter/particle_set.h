@@ -121,6 +121,7 @@ class ParticleSet
         Eigen::Matrix3d::Zero();  // of the scan at the match; zero when not fitted
   };
   void predictBy(const models::Motion& motion);
+  void settleDisputes(const grid::Scan& scan);
   void draw(std::size_t i, const grid::Scan& scan);
   void learnMotion(const Candidate& star);
   double evidenceOfPlace() const;

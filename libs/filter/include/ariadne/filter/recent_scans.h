@@ -12,6 +12,9 @@
 
 namespace ariadne::filter {
 
+/// Mahalanobis distance of a pose from the prior's mean: how far off the odometry it is.
+double sigmasOff(const mrpt::math::TPose2D& pose, const models::PosePrior& prior);
+
 /// The scans of the last metres of a path, as a map of their own.
 class RecentScans {
  public:
@@ -22,14 +25,21 @@ class RecentScans {
   /// @param travelled_m since the update before
   void add(std::size_t step, const grid::ScanShape& shape, double travelled_m);
 
-  /// The match; where it is disputed, and these scans alone place the robot under half as far off
-  /// the odometry and fit better, the match with them.
-  /// @param match of `points` (m, robot's frame) with the whole map of the hypothesis
+  /// Whether a match is too far off the odometry to be believed unasked.
+  bool dispute(const models::Match& match, const models::PosePrior& prior) const;
+
+  /// The match with these scans alone, from where a hypothesis has them.
+  /// @param prior of the robot's pose, map frame of `leaf`
+  /// @param points ends of beams, m, robot's frame
   /// @param leaf the hypothesis at the update before
-  models::Match settled(const models::Match& match, const models::PosePrior& prior,
-                        const models::ScanMatcher& matcher,
+  models::Match matched(const models::PosePrior& prior, const models::ScanMatcher& matcher,
                         const std::vector<mrpt::math::TPoint2D>& points,
                         const AncestorPtr& leaf) const;
+
+  /// Of a disputed match and that of the last metres, both in the map frame of one hypothesis: the
+  /// latter where it places the robot under half as far off the odometry and fits better.
+  static models::Match settled(const models::Match& match, const models::Match& recent,
+                               const models::PosePrior& prior);
 
   /// Map of these scans alone, from where the hypothesis has them.
   grid::OccupancyGrid mapAlong(const AncestorPtr& leaf) const;
