@@ -38,7 +38,6 @@ void describe(LaserInfo& laser, const mrpt::obs::CObservation2DRangeScan& scan) 
   laser.pitch_deg = pose.pitch() * kDegrees;
   laser.roll_deg = pose.roll() * kDegrees;
   laser.planar = std::abs(pose.getRotationMatrix()(2, 2)) >= std::cos(kTilt_deg / kDegrees);
-  laser.fewest_beams = scan.getScanSize();
 }
 
 class Collector {
@@ -49,10 +48,14 @@ class Collector {
   void operator()(const io::LaserRecord& record) {
     const auto& scan = *record.scan;
     LaserInfo& laser = info_.lasers[scan.sensorLabel];
-    if (laser.scans++ == 0) describe(laser, scan);
+    const std::size_t beams = record.beams.ranges_m.size();
+    if (laser.scans++ == 0) {
+      describe(laser, scan);
+      laser.fewest_beams = beams;
+    }
     laser.place_known = record.place_known;
-    laser.fewest_beams = std::min(laser.fewest_beams, scan.getScanSize());
-    laser.most_beams = std::max(laser.most_beams, scan.getScanSize());
+    laser.fewest_beams = std::min(laser.fewest_beams, beams);
+    laser.most_beams = std::max(laser.most_beams, beams);
     if (record.odom_from_robot) ++info_.line_poses;
     if (!record.time_s) return;
     const double time_s = *record.time_s;

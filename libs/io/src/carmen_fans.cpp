@@ -13,7 +13,7 @@ constexpr std::size_t kMostKinds = 16;  // damaged lines may all differ
 
 CarmenFans::Kind CarmenFans::kindOf(const CarmenScan& scan) {
   const CarmenLineFan fan = scan.fan.value_or(CarmenLineFan());
-  return {scan.record.scan->sensorLabel, scan.record.scan->getScanSize(), fan.start, fan.field,
+  return {scan.record.scan->sensorLabel, scan.record.beams.ranges_m.size(), fan.start, fan.field,
           fan.step};
 }
 
@@ -29,7 +29,7 @@ FanChoice CarmenFans::choose(const Kind& kind) const {
 
 void CarmenFans::meet(const CarmenScan& scan) {
   const Kind kind = kindOf(scan);
-  if (met_.size() < kMostKinds || met_.count(kind) > 0) met_[kind].add(*scan.record.scan);
+  if (met_.size() < kMostKinds || met_.count(kind) > 0) met_[kind].add(scan.record.beams.ranges_m);
 }
 
 bool CarmenFans::allKnown(const std::function<bool(const std::string&)>& is_used) const {

@@ -94,8 +94,7 @@ void CarmenLasers::look(const CarmenScan& scan) {
   laser.bare = !scan.fan;
   if (scan.odom_from_laser) laser.offsets.push_back(offsetOf(scan));
   fans_.meet(scan);
-  for (std::size_t i = 0; i < scan.record.scan->getScanSize(); ++i) {
-    const float range = scan.record.scan->getScanRange(i);
+  for (const float range : scan.record.beams.ranges_m) {
     if (!(range < kCarmenMaxRange_m)) continue;
     if (laser.longest.size() == kLongest && range <= *laser.longest.begin()) continue;
     laser.longest.insert(range);
@@ -140,23 +139,22 @@ void CarmenLasers::settleRange(const std::string& label, Laser& laser) {
 
 void CarmenLasers::complete(CarmenScan& scan) {
   auto& obs = *scan.record.scan;
+  auto& [ranges, valid] = scan.record.beams;
+  const Laser& laser = lasers_[obs.sensorLabel];
+  if (laser.max_range_m > 0) obs.maxRange = laser.max_range_m;
+  for (const float range : ranges) valid.push_back(range < obs.maxRange ? 1 : 0);
   const FanChoice& choice = fans_.of(scan, notes_, remarks_);
   if (!choice.fan) {
     scan.record.problem = choice.problem;
     obs.aperture = 0;
     return;
   }
-  const double span = choice.fan->step_rad * (static_cast<double>(obs.getScanSize()) - 1);
+  const double span = choice.fan->step_rad * (static_cast<double>(ranges.size()) - 1);
   obs.aperture = static_cast<float>(std::abs(span));
   obs.rightToLeft = span >= 0;
-  const Laser& laser = lasers_[obs.sensorLabel];
   // MRPT's beams are symmetric about the sensor's axis, so an uneven fan turns the sensor.
   obs.sensorPose = mrpt::poses::CPose3D(laser.place.robot_from_laser) +
                    mrpt::poses::CPose3D(0, 0, 0, choice.fan->start_rad + span / 2, 0, 0);
-  if (laser.max_range_m == 0) return;
-  obs.maxRange = laser.max_range_m;
-  for (std::size_t i = 0; i < obs.getScanSize(); ++i)
-    obs.setScanRangeValidity(i, obs.getScanRange(i) < obs.maxRange);
 }
 
 void CarmenLasers::takeParam(const std::vector<std::string_view>& words, bool scans_began) {

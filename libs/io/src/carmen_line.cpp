@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "rawlog_objects.h"
-#include "scan_check.h"
 #include "text_fields.h"
 
 namespace ariadne::io {
@@ -76,32 +75,29 @@ class Reader {
   std::string problem_;
 };
 
-void setRanges(mrpt::obs::CObservation2DRangeScan& scan, Reader& line, std::size_t count) {
+std::vector<float> readRanges(Reader& line, std::size_t count) {
   std::vector<float> ranges(count);
-  std::vector<char> valid(count);
-  for (std::size_t i = 0; i < count; ++i) {
+  for (float& range : ranges) {
     // Beyond a float's reach is beyond any laser's.
     const double word = line.number("range", false);
-    ranges[i] = static_cast<float>(std::isfinite(word) ? std::clamp(word, -1e9, 1e9) : word);
-    valid[i] = ranges[i] < scan.maxRange ? 1 : 0;
+    range = static_cast<float>(std::isfinite(word) ? std::clamp(word, -1e9, 1e9) : word);
   }
-  setBeams(scan, ranges, valid);
+  return ranges;
 }
 
 /// Laser type to ranges and remissions. CARMEN's first releases wrote no remission mode (0 to 2),
 /// and some programs write no remissions.
 void readConfigured(CarmenScan& out, Reader& line) {
-  auto& scan = *out.record.scan;
   line.number("laser type");
   out.fan.emplace();
   out.fan->start = line.angle("start angle");
   out.fan->field = line.angle("field of view");
   out.fan->step = line.angle("angular resolution");
   const double reach = line.number("maximum range");
-  if (reach > 0 && reach < 1000) scan.maxRange = static_cast<float>(reach);
+  if (reach > 0 && reach < 1000) out.record.scan->maxRange = static_cast<float>(reach);
   line.number("accuracy");
   if (line.isAtMost(2)) line.number("remission mode");
-  setRanges(scan, line, line.count("number of ranges"));
+  out.record.beams.ranges_m = readRanges(line, line.count("number of ranges"));
   if (line.isInteger()) line.pass(line.count("number of remissions"));
 }
 
@@ -127,7 +123,7 @@ std::optional<CarmenScan> parseCarmenScan(const Words& words, std::string& probl
   Reader line(words, 1);
   const bool bare = words[0] == "FLASER" || words[0] == "RLASER";
   if (bare) {
-    setRanges(scan, line, line.count("number of ranges"));
+    out.record.beams.ranges_m = readRanges(line, line.count("number of ranges"));
   } else {
     readConfigured(out, line);
   }

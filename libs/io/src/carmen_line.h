@@ -15,7 +15,8 @@ namespace ariadne::io {
 /// A SICK LMS in centimetres says 81.91, 81.90 or 81.83 for "nothing", and measures up to 80 m.
 constexpr float kCarmenMaxRange_m = 80;
 
-/// A scan without its angles and its place on the robot, which a line alone does not say.
+/// A scan without its angles, its place on the robot, and which beams are valid: a line alone does
+/// not say these.
 struct CarmenScan {
   LaserRecord record;
   std::optional<CarmenLineFan> fan;                    ///< ROBOTLASER and RAWLASER

@@ -19,16 +19,16 @@ bool areAlike(float a, float b) { return std::abs(a - b) < 0.03F + 0.02F * std::
 
 }  // namespace
 
-void CarmenSeam::add(const mrpt::obs::CObservation2DRangeScan& scan) {
-  const std::size_t size = scan.getScanSize();
+void CarmenSeam::add(const std::vector<float>& ranges_m) {
+  const std::size_t size = ranges_m.size();
   if (size < 3) return;
-  const float first = scan.getScanRange(0), last = scan.getScanRange(size - 1);
+  const float first = ranges_m.front(), last = ranges_m.back();
   if (!isReading(first) || !isReading(last) || std::abs(first - counted_m_) < kElsewhere_m) return;
   counted_m_ = first;
   ++scans_;
   alike_ += areAlike(first, last) ? 1 : 0;
   for (std::size_t i = 1; i < size; ++i) {
-    const float a = scan.getScanRange(i - 1), b = scan.getScanRange(i);
+    const float a = ranges_m[i - 1], b = ranges_m[i];
     if (!isReading(a) || !isReading(b)) continue;
     ++pairs_;
     alike_pairs_ += areAlike(a, b) ? 1 : 0;

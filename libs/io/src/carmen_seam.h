@@ -1,15 +1,15 @@
 // Whether a laser looks all round, where its lines say no angle: then its first and its last beam
 // are neighbours.
 #pragma once
-#include <mrpt/obs/CObservation2DRangeScan.h>
-
 #include <cstddef>
+#include <vector>
 
 namespace ariadne::io {
 
 class CarmenSeam {
  public:
-  void add(const mrpt::obs::CObservation2DRangeScan& scan);
+  /// A scan, beam by beam.
+  void add(const std::vector<float>& ranges_m);
   /// Whether the first and the last beam were as alike as neighbours are, from ten places at least.
   bool looksRound() const;
 

@@ -74,9 +74,9 @@ class Steps : public StepSource {
   /// Takes one record in; false when there is none left.
   bool readRecord() {
     if (ended_) return false;
-    const auto record = records_->next();
+    auto record = records_->next();
     if (record) {
-      std::visit([this](const auto& r) { take(r); }, *record);
+      std::visit([this](auto& r) { take(r); }, *record);
     } else {
       ended_ = true;
       gate_.finish();
@@ -93,19 +93,19 @@ class Steps : public StepSource {
 
   void take(const OdometryIncrement& increment) { track_.add(increment); }
   void take(const OdometryReading& reading) { track_.add(reading); }
-  void take(const LaserRecord& laser) {
+  void take(LaserRecord& laser) {
     auto& scan = *laser.scan;
     ++labels_[scan.sensorLabel];
     if (!wanted_) wanted_ = scan.sensorLabel;
     if (scan.sensorLabel != *wanted_) {
       ++counts_.scans_other_lasers;
-    } else if (!repairGeometry(scan)) {
+    } else if (!repairGeometry(laser)) {
       if (!laser.problem.empty()) problem_ = laser.problem;
       ++counts_.scans_malformed;
     } else if (!isPlanar(scan)) {
       ++counts_.scans_not_planar;
     } else {
-      models::SensorStep step;
+      RawStep step;
       if (!track_.poseOfScan(laser.odom_from_robot, step.odom_from_robot)) return;
       last_time_s_ = step.time_s = laser.time_s.value_or(last_time_s_);
       if (!laser.time_s) {
@@ -113,6 +113,7 @@ class Steps : public StepSource {
         scan.timestamp = clockOfSeconds(step.time_s);
       }
       step.scan = laser.scan;
+      step.beams = std::move(laser.beams);
       gate_.push(last_time_s_, {std::move(step), track_.readings()});
     }
   }
@@ -163,7 +164,7 @@ class Steps : public StepSource {
   DatasetCounts counts_;
   OdometryTrack track_;
   struct Placed {
-    models::SensorStep step;
+    RawStep step;
     std::size_t place;  // among the odometry readings
   };
   TimeGate<Placed> gate_;

@@ -45,11 +45,11 @@ bool NoReturnSurvey::isElsewhere(const mrpt::math::TPose2D& pose) {
   return geometry::distance(pose, last_pose_) >= kElsewhere_m;
 }
 
-void NoReturnSurvey::add(const models::SensorStep& step, const std::vector<char>& called_valid) {
+void NoReturnSurvey::add(const RawStep& step) {
   if (!isElsewhere(step.odom_from_robot)) return;
   last_pose_ = step.odom_from_robot;
   header_mm_ = std::max(header_mm_, static_cast<std::int32_t>(step.scan->maxRange * 1000));
-  keep(surveyed(step, called_valid));
+  keep(surveyed(step));
 }
 
 void NoReturnSurvey::keep(SurveyedScan scan) {

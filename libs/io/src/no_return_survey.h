@@ -11,7 +11,7 @@
 #include <limits>
 #include <vector>
 
-#include "ariadne/models/sensor_step.h"
+#include "raw_step.h"
 #include "surveyed_scan.h"
 
 namespace ariadne::io {
@@ -19,8 +19,7 @@ namespace ariadne::io {
 class NoReturnSurvey {
  public:
   /// Takes a scan in. One from where the last one was says nothing new and is passed over.
-  /// `called_valid`: 1 for each beam that the file calls valid.
-  void add(const models::SensorStep& step, const std::vector<char>& called_valid);
+  void add(const RawStep& step);
   /// Looks for codes in what was added so far, if `now` or much is new since the last time.
   void judge(bool now);
   /// Readings at or over this are no return; infinite while no code is known. It only falls.

@@ -174,10 +174,10 @@ void OdometryTrack::countJump(const models::SensorStep& step) {
   jumps.turn_deg = std::abs(motion.phi) * 180 / M_PI;
 }
 
-std::optional<models::SensorStep> OdometryTrack::pop() {
+std::optional<RawStep> OdometryTrack::pop() {
   if (waiting_.empty() || kind_ == Kind::unknown) return std::nullopt;
   if (kind_ == Kind::readings && !locate(waiting_.front())) return std::nullopt;
-  models::SensorStep step = std::move(waiting_.front().step);
+  RawStep step = std::move(waiting_.front().step);
   waiting_.pop_front();
   if (kind_ != Kind::readings) step.odometry_jumped = jumped_(step.odom_from_robot, step.time_s);
   ++scans_;

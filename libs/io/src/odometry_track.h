@@ -5,8 +5,8 @@
 #include <string>
 
 #include "ariadne/io/dataset.h"
-#include "ariadne/io/dataset_records.h"
 #include "ariadne/models/odometry_jump.h"
+#include "raw_step.h"
 #include "time_gate.h"
 
 namespace ariadne::io {
@@ -25,16 +25,14 @@ class OdometryTrack {
   void add(const OdometryReading& reading);
   /// A scan and the pose that increments or its own line give it; it waits for a better one where
   /// readings are used. @param place readings() when the scan was read
-  void add(models::SensorStep step, std::size_t place) {
-    waiting_.push_back({std::move(step), place});
-  }
+  void add(RawStep step, std::size_t place) { waiting_.push_back({std::move(step), place}); }
   /// How many readings were read so far.
   std::size_t readings() const { return readings_read_; }
   /// The pose of a scan that comes now; `line_pose` where its record has one. False: not possible.
   bool poseOfScan(const std::optional<mrpt::math::TPose2D>& line_pose, mrpt::math::TPose2D& pose);
   /// Nothing more will come: waiting scans take the last reading.
   void finish();
-  std::optional<models::SensorStep> pop();
+  std::optional<RawStep> pop();
   bool hasOdometry() const { return kind_ != Kind::unknown; }
   std::size_t waiting() const { return waiting_.size(); }
 
@@ -47,7 +45,7 @@ class OdometryTrack {
     std::size_t jumps = 0;  ///< up to this one
   };
   struct Waiting {
-    models::SensorStep step;
+    RawStep step;
     std::size_t place = 0;  ///< readings before it in the file
   };
   /// Indices of the readings about a stamp; the same twice where it lies outside of all.

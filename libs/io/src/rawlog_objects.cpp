@@ -11,7 +11,6 @@
 #include "rawlog_by_mrpt.h"
 #include "rawlog_poses.h"
 #include "rawlog_versions.h"
-#include "scan_check.h"
 
 namespace ariadne::io {
 namespace {
@@ -52,6 +51,15 @@ std::shared_ptr<Observation> readNewer(ArchiveReader& in, const ObjectHeader& ob
   return observation;
 }
 
+RawBeams beamsOf(const mrpt::obs::CObservation2DRangeScan& scan) {
+  RawBeams beams;
+  for (std::size_t i = 0; i < scan.getScanSize(); ++i) {
+    beams.ranges_m.push_back(scan.getScanRange(i));
+    beams.valid.push_back(scan.getScanRangeValidity(i) ? 1 : 0);
+  }
+  return beams;
+}
+
 std::int64_t ticksOf(const mrpt::obs::CObservation& observation) {
   return observation.timestamp.time_since_epoch().count();
 }
@@ -63,12 +71,14 @@ LaserRecord readScan(ArchiveReader& in, const ObjectHeader& object) {
     const auto newer = readNewer<mrpt::obs::CObservation2DRangeScan>(in, object);
     LaserRecord record;
     record.scan = newer;
+    record.beams = beamsOf(*newer);
     record.time_s = secondsOfTicks(ticksOf(*newer));
     return record;
   }
   requireVersion(object);
   const int version = object.version;
-  auto scan = mrpt::obs::CObservation2DRangeScan::Create();
+  LaserRecord record;
+  auto& scan = record.scan = mrpt::obs::CObservation2DRangeScan::Create();
   scan->aperture = in.number<float>();
   scan->rightToLeft = in.flag();
   scan->maxRange = in.number<float>();
@@ -76,16 +86,15 @@ LaserRecord readScan(ArchiveReader& in, const ObjectHeader& object) {
   if (version < 6) passCovariance(in);  // the pose's covariance
   const auto count = in.number<std::uint32_t>();
   if (count > kMostRawlogBeams) throw ArchiveDamage(fmt::format("a scan claims {} beams", count));
-  std::vector<float> ranges(count);
+  auto& [ranges, valid] = record.beams;
+  ranges.resize(count);
   if (count > 0) std::memcpy(ranges.data(), in.bytes(count * sizeof(float)), count * sizeof(float));
-  std::vector<char> valid(count);
+  valid.resize(count);
   if (version > 0)
     std::copy_n(in.bytes(count), count, valid.begin());
   else
     for (std::uint32_t i = 0; i < count; ++i) valid[i] = ranges[i] < scan->maxRange ? 1 : 0;
-  setBeams(*scan, ranges, valid);
   if (version >= 2) scan->stdError = in.number<float>();
-  LaserRecord record;
   if (version >= 3) {
     const auto ticks = in.number<std::int64_t>();
     record.time_s = secondsOfTicks(ticks);
@@ -99,7 +108,6 @@ LaserRecord readScan(ArchiveReader& in, const ObjectHeader& object) {
   if (version >= 7 && in.flag()) in.bytes(count * sizeof(std::int32_t));  // intensities
   if (version >= 8) in.number<float>();                                   // how long a sweep takes
   in.end(object);
-  record.scan = std::move(scan);
   return record;
 }
 

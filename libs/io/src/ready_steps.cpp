@@ -35,11 +35,10 @@ bool ReadySteps::wantsMore() const {
          (steps_.size() < kMostSurveyed && beams_ < kMostBeamsSurveyed);
 }
 
-void ReadySteps::push(models::SensorStep step, double fraction) {
-  std::vector<char> called_valid = validityOf(*step.scan);
-  if (survey_wanted_) survey_.add(step, called_valid);
-  beams_ += called_valid.size();
-  steps_.push_back({std::move(step), std::move(called_valid), fraction});
+void ReadySteps::push(RawStep step, double fraction) {
+  if (survey_wanted_) survey_.add(step);
+  beams_ += step.beams.ranges_m.size();
+  steps_.push_back({std::move(step), fraction});
 }
 
 void ReadySteps::judge() {
@@ -55,9 +54,9 @@ std::optional<models::SensorStep> ReadySteps::pop() {
   if (survey_wanted_) judge();
   Ready ready = std::move(steps_.front());
   steps_.pop_front();
-  beams_ -= ready.step.scan->getScanSize();
+  beams_ -= ready.step.beams.ranges_m.size();
   fraction_ = ready.fraction;
-  checkBeams(*ready.step.scan, ready.called_valid, limits_, counts_);
+  setBeams(*ready.step.scan, std::move(ready.step.beams), limits_, counts_);
   ++counts_.steps;
   return std::move(ready.step);
 }

@@ -2,7 +2,6 @@
 #pragma once
 #include <deque>
 #include <optional>
-#include <vector>
 
 #include "ariadne/io/dataset.h"
 #include "no_return_survey.h"
@@ -19,7 +18,7 @@ class ReadySteps {
   bool empty() const { return steps_.empty(); }
   std::size_t size() const { return steps_.size(); }
   /// `fraction` of the file was read for it.
-  void push(models::SensorStep step, double fraction);
+  void push(RawStep step, double fraction);
   /// The next, its beams as StepSource promises, and counted.
   std::optional<models::SensorStep> pop();
   /// Of the step given out last.
@@ -27,8 +26,7 @@ class ReadySteps {
 
  private:
   struct Ready {
-    models::SensorStep step;
-    std::vector<char> called_valid;  ///< its beams, by the file
+    RawStep step;
     double fraction;
   };
   void judge();

@@ -37,48 +37,32 @@ bool isPlanar(const mrpt::obs::CObservation2DRangeScan& scan) {
          std::abs(scan.deltaPitch) <= kFlat_rad;
 }
 
-bool repairGeometry(mrpt::obs::CObservation2DRangeScan& scan) {
+bool repairGeometry(LaserRecord& laser) {
+  auto& scan = *laser.scan;
   if (!(scan.maxRange > 0 && scan.maxRange <= 1000)) scan.maxRange = 80;
   if (!std::isfinite(scan.deltaPitch)) scan.deltaPitch = 0;
   const auto& pose = scan.sensorPose;
   const double away = std::abs(pose.x()) + std::abs(pose.y()) + std::abs(pose.z());
   // A turn and a bit: some drivers repeat the first beam at the end.
-  return scan.getScanSize() >= 2 && scan.aperture > 0 && scan.aperture < 2.1 * M_PI &&
+  return laser.beams.ranges_m.size() >= 2 && scan.aperture > 0 && scan.aperture < 2.1 * M_PI &&
          away < kFarthestMount_m && isRotation(pose.getRotationMatrix());
 }
 
-void setBeams(mrpt::obs::CObservation2DRangeScan& scan, const std::vector<float>& ranges,
-              const std::vector<char>& valid) {
-  if (ranges.empty())
-    scan.resizeScan(0);
-  else
-    scan.loadFromVectors(ranges.size(), ranges.data(), valid.data());
-}
-
-std::vector<char> validityOf(const mrpt::obs::CObservation2DRangeScan& scan) {
-  std::vector<char> valid(scan.getScanSize());
-  for (std::size_t i = 0; i < valid.size(); ++i) valid[i] = scan.getScanRangeValidity(i) ? 1 : 0;
-  return valid;
-}
-
-void checkBeams(mrpt::obs::CObservation2DRangeScan& scan, const std::vector<char>& called_valid,
-                const BeamLimits& limits, DatasetCounts& counts) {
+void setBeams(mrpt::obs::CObservation2DRangeScan& scan, RawBeams beams, const BeamLimits& limits,
+              DatasetCounts& counts) {
   const float own_max_m = scan.maxRange;
   if (limits.max_range_m > 0) scan.maxRange = limits.max_range_m;
   const float reach_m = std::min(scan.maxRange, limits.reach_m);
-  const std::size_t size = scan.getScanSize();
+  const std::size_t size = beams.ranges_m.size();
   counts.beams += size;
-  float* ranges = size > 0 ? &scan.getScanRange(0) : nullptr;
   for (std::size_t i = 0; i < size; ++i) {
-    float& range = ranges[i];
-    const bool called = called_valid[i] != 0;
+    float& range = beams.ranges_m[i];
+    const bool called = beams.valid[i] != 0;
     // What lies beyond the file's own maximum is called invalid for that reason alone.
     const bool believed = called || range >= own_max_m;
-    if (believed && range > 0 && range >= limits.min_range_m && range < reach_m) {
-      if (!called) scan.setScanRangeValidity(i, true);
-      continue;
-    }
-    if (called) scan.setScanRangeValidity(i, false);
+    const bool good = believed && range > 0 && range >= limits.min_range_m && range < reach_m;
+    beams.valid[i] = good ? 1 : 0;
+    if (good) continue;
     if (range >= reach_m) {
       countNoReturn(range, own_max_m, called, limits, counts);
       // Infinite is how ROS says "nothing there".
@@ -97,6 +81,8 @@ void checkBeams(mrpt::obs::CObservation2DRangeScan& scan, const std::vector<char
       ++counts.beams_flagged;
     range = 0;
   }
+  // All at once: MRPT checks the index at each access, which takes longer than all of the above.
+  scan.loadFromVectors(size, beams.ranges_m.data(), beams.valid.data());
 }
 
 }  // namespace ariadne::io

@@ -33,11 +33,11 @@ mrpt::obs::CSensoryFrame::Ptr readFrame(ArchiveReader& in) {
       throw ArchiveDamage(fmt::format(
           "a frame holds a {}, and only CObservation2DRangeScan is read of a simple map",
           observation.name));
-    const auto scan = readScan(in, observation).scan;
-    if (!repairGeometry(*scan) || !isPlanar(*scan)) continue;
+    LaserRecord laser = readScan(in, observation);
+    if (!repairGeometry(laser) || !isPlanar(*laser.scan)) continue;
     DatasetCounts counts;
-    checkBeams(*scan, validityOf(*scan), {}, counts);
-    frame->insert(scan);
+    setBeams(*laser.scan, std::move(laser.beams), {}, counts);
+    frame->insert(laser.scan);
   }
   in.end(object);
   return frame;

@@ -92,17 +92,17 @@ class Looking {
 
 }  // namespace
 
-SurveyedScan surveyed(const models::SensorStep& step, const std::vector<char>& called_valid) {
+SurveyedScan surveyed(const RawStep& step) {
   const auto& scan = *step.scan;
   SurveyedScan out;
-  const std::size_t size = scan.getScanSize();
+  const std::size_t size = step.beams.ranges_m.size();
   const double side = scan.rightToLeft ? 1 : -1;
   out.step_rad = side * scan.aperture / static_cast<double>(std::max<std::size_t>(size, 2) - 1);
   out.first_rad = step.odom_from_robot.phi + scan.sensorPose.yaw() - side * scan.aperture / 2;
   out.ranges_mm.resize(size);
   const float limit_m = std::min(scan.maxRange, kFarthestReading_m);
-  const float* ranges = size > 0 ? &scan.getScanRange(0) : nullptr;
-  const char* valid = called_valid.data();
+  const float* ranges = step.beams.ranges_m.data();
+  const char* valid = step.beams.valid.data();
   std::int32_t* ranges_mm = out.ranges_mm.data();
   for (std::size_t i = 0; i < size; ++i) {
     const float range = ranges[i];

@@ -6,7 +6,7 @@
 #include <deque>
 #include <vector>
 
-#include "ariadne/models/sensor_step.h"
+#include "raw_step.h"
 
 namespace ariadne::io {
 
@@ -17,8 +17,7 @@ struct SurveyedScan {
   double step_rad = 0;   ///< from beam to beam
 };
 
-/// `called_valid`: 1 for each beam that the file calls valid.
-SurveyedScan surveyed(const models::SensorStep& step, const std::vector<char>& called_valid);
+SurveyedScan surveyed(const RawStep& step);
 
 /// Two codes of one log lie this near to each other, as do the roundings of one code.
 constexpr std::int32_t kMates_mm = 100;

@@ -1,7 +1,6 @@
 #include "scan_record.h"
 
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace ariadne::io::ros {
@@ -42,15 +41,14 @@ LaserRecord recordOf(const LaserScan& scan, const std::string& label,
   const double middle = (fan.begin_rad + fan.end_rad) / 2;
   out.sensorPose = robot_from_laser;
   if (middle != 0) out.sensorPose += mrpt::poses::CPose3D(0, 0, 0, middle, 0, 0);
-  const std::size_t size = scan.ranges.size();
-  out.resizeScan(size);
-  if (size > 0) std::memcpy(&out.getScanRange(0), scan.ranges.data(), size * sizeof(float));
-  for (std::size_t i = 0; i < size; ++i) {
-    const float range = scan.ranges[i];
-    out.setScanRangeValidity(i, range >= range_min && range < out.maxRange);
+  auto& [ranges, valid] = record.beams;
+  ranges = scan.ranges;
+  valid.resize(ranges.size());
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    valid[i] = ranges[i] >= range_min && ranges[i] < out.maxRange ? 1 : 0;
     // -inf is "too near": a positive range, but no positive number is near enough.
-    if (range == -std::numeric_limits<float>::infinity())
-      out.setScanRange(i, std::numeric_limits<float>::min());
+    if (ranges[i] == -std::numeric_limits<float>::infinity())
+      ranges[i] = std::numeric_limits<float>::min();
   }
   return record;
 }

@@ -29,9 +29,16 @@ struct OdometryReading {
   std::string label;
 };
 
+/// The beams of a scan as the file has them, unchecked.
+struct RawBeams {
+  std::vector<float> ranges_m;
+  std::vector<char> valid;  ///< as many: not 0 for each that the file calls valid
+};
+
 /// A scan as the file has it, unchecked; `odom_from_robot` where it is on the same line (CARMEN).
 struct LaserRecord {
-  mrpt::obs::CObservation2DRangeScan::Ptr scan;
+  mrpt::obs::CObservation2DRangeScan::Ptr scan;  ///< still without its beams
+  RawBeams beams;
   std::optional<double> time_s;
   std::optional<mrpt::math::TPose2D> odom_from_robot;
   std::string problem;      ///< why the beams' angles are not known; the aperture is 0 then
