@@ -151,7 +151,6 @@ DatasetInfo collectInfo(const std::filesystem::path& path, io::DatasetOptions op
     const auto& c = info.counts;
     const std::size_t bad = c.beams_no_return + c.beams_out_of_range + c.beams_nan + c.beams_zero +
                             c.beams_negative + c.beams_too_near + c.beams_flagged;
-    if (c.steps < 2) info.why_not = "a single scan is no log";
     if (bad == c.beams) info.why_not = "no beam has a valid range";
   } catch (const core::UsageError&) {
     throw;  // the options are wrong, not the log

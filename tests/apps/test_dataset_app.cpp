@@ -54,6 +54,11 @@ TEST_F(DatasetApp, InfoSaysWhyALogCannotBeMapped) {
   EXPECT_NE(out.str().find("can be mapped: no: no 2D laser"), std::string::npos) << out.str();
 }
 
+TEST_F(DatasetApp, InfoAgreesWithTheMapperOnASingleScan) {
+  ASSERT_EQ(run({"info", write("a.log", carmenLog(1))}), 0) << err.str();
+  EXPECT_NE(out.str().find("can be mapped: yes"), std::string::npos) << out.str();
+}
+
 TEST_F(DatasetApp, InfoAsksForAnglesThatNobodySays) {
   const std::string log = write("a.log", flaser(541, "1", "0 0 0", "0 0 0", kBegin_s) +
                                              flaser(541, "1", "0 0 0", "0 0 0", kBegin_s + 1));
