@@ -10,6 +10,7 @@
 #include "carmen_records.h"
 #include "dataset_warnings.h"
 #include "odometry_track.h"
+#include "raw_step.h"
 #include "rawlog_records.h"
 #include "ready_steps.h"
 #include "ros/open_bag.h"

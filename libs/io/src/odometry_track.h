@@ -5,6 +5,7 @@
 #include <string>
 
 #include "ariadne/io/dataset.h"
+#include "ariadne/io/dataset_records.h"
 #include "ariadne/models/odometry_jump.h"
 #include "raw_step.h"
 #include "time_gate.h"

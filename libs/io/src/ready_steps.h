@@ -5,6 +5,7 @@
 
 #include "ariadne/io/dataset.h"
 #include "no_return_survey.h"
+#include "raw_step.h"
 #include "scan_check.h"
 
 namespace ariadne::io {

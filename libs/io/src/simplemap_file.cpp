@@ -5,6 +5,7 @@
 #include <mrpt/poses/CPose3DPDFGaussian.h>
 
 #include <cmath>
+#include <utility>
 
 #include "ariadne/core/error.h"
 #include "rawlog_objects.h"
