@@ -15,7 +15,8 @@ struct RunParams {
 
 template <class V>
 void visitFields(V& v, RunParams& p) {
-  v.number("threads", p.threads, {0, 256}, "0 is one a core; the result is the same on any number");
+  v.number("threads", p.threads, {0, 256},
+           "0 is one per core; the result is the same on any number");
   v.text("out", p.out,
          "folder to write to, from the current one; empty: ariadne-<input>-<date>-<time>");
   v.flag("pictures", p.pictures,

@@ -8,7 +8,7 @@ void declareRunOptions(CLI::App& app, RunOptions& o, const std::string& input) {
       ->take_all();
   app.add_option("--particles", o.particles, "number of particles");
   app.add_option("--seed", o.seed, "same seed, same result, on any number of threads");
-  app.add_option("--threads", o.threads, "0: one a core");
+  app.add_option("--threads", o.threads, "0: one per core");
   app.add_option("--out", o.out,
                  "folder to write to; default: ariadne-<" + input + ">-<date>-<time>");
   app.add_flag("--overwrite", o.overwrite,

@@ -59,7 +59,7 @@ void declare(CLI::App& app, Options& o) {
       ->take_all();
   app.add_option("--particles", o.particles, "number of particles, both");
   app.add_option("--seed", o.seed, "of the first repeat, both");
-  app.add_option("--threads", o.threads, "of ariadne-slam, 0: one a core; stock has one")
+  app.add_option("--threads", o.threads, "of ariadne-slam, 0: one per core; stock has one")
       ->capture_default_str()
       ->check(CLI::Range(0, 256));
   app.add_option("--pf-algorithm", o.pf_algorithm, "of stock; default: its INI's")

@@ -66,7 +66,7 @@ const std::map<std::string, batch::TableFormat>& formats() {
 }
 
 void addJobs(CLI::App* sub, Options& o) {
-  sub->add_option("--jobs", o.jobs, "runs at a time; default: one a core")
+  sub->add_option("--jobs", o.jobs, "runs at a time; default: one per core")
       ->check(CLI::Range(1, 1024));
   sub->add_flag("--quiet", o.quiet, "print only warnings and errors");
 }

@@ -45,7 +45,7 @@ void printStatus(const batch::Plan& plan, const batch::Store& store, std::ostrea
     cpu_s += r.cpu_s;
   }
   if (!results.empty())
-    fmt::print(out, "Taken so far: {} of wall clock, {} of CPU; {:.1f} s a run\n",
+    fmt::print(out, "Taken so far: {} of wall clock, {} of CPU; {:.1f} s per run\n",
                app::timeText(wall_s), app::timeText(cpu_s),
                wall_s / static_cast<double>(results.size()));
   printOwners(store, out);

@@ -32,7 +32,7 @@ CLI::App* addSubmit(CLI::App& app, Options& o) {
   sub->add_option("--out", o.folder, "results folder, shared by all machines")->required();
   sub->add_option("--engine", o.engine, "slurm (default) or parallel")->transform(oneOf(engines()));
   sub->add_option("--slices", o.handed_slices,
-                  "into how many tasks the plan is cut; default: one a run, at most 1000")
+                  "into how many tasks the plan is cut; default: one per run, at most 1000")
       ->check(CLI::Range(1, 4000000));
   sub->add_option("--jobs", o.jobs, "runs at a time in a task; default 1")
       ->check(CLI::Range(1, 1024));
@@ -54,8 +54,9 @@ CLI::App* addSubmit(CLI::App& app, Options& o) {
   slurm(sub->add_flag("--script-only", o.script_only, "write the batch script and stop"));
 
   const auto parallel = [sub](CLI::Option* option) { option->group("With --engine parallel"); };
-  parallel(sub->add_option("--sshloginfile", o.parallel.sshloginfile,
-                           "machines, as GNU parallel takes them: one a line, \":\" is this one"));
+  parallel(
+      sub->add_option("--sshloginfile", o.parallel.sshloginfile,
+                      "machines, as GNU parallel takes them: one per line, \":\" is this one"));
   parallel(sub->add_option("--host-limit", o.parallel.host_limit,
                            "slices at a time on a machine; default: as many as its cores can take")
                ->check(CLI::Range(1, 4096)));

@@ -56,8 +56,8 @@ void declare(CLI::App& program, Options& o) {
   program.add_option("--laps", o.laps, "of the inner loop, where the drive has some");
   program.add_option("--seed", o.seed, "of noise and filter")->capture_default_str();
   program.add_flag("--oracle", o.oracle,
-                   "instead of the pair the first loop with one filter a particle next to recovery "
-                   "and without; small worlds");
+                   "maps the first loop with one filter per particle, with recovery and without, "
+                   "in place of the pair; for small worlds");
   program.add_option("--set", o.settings, "section.key=value, over the INI")
       ->allow_extra_args(false)
       ->take_all();

@@ -49,7 +49,7 @@ TEST_F(ManyResults, TenThousandAreAggregatedInTenSeconds) {
   EXPECT_LT(took_s, 10);
 }
 
-// The shortest runs of ini/paper take 0.4 s of CPU (ini/paper/small.ini): 4 ms a run are 1 % of
+// The shortest runs of ini/paper take 0.4 s of CPU (ini/paper/small.ini): 4 ms per run are 1 % of
 // those. Measured 0.5 ms; the bound holds under the sanitizers, too.
 TEST_F(ManyResults, ARunCostsTheRunnerUnderAHundredthOfTheShortest) {
   writeExperiment("[seeds]\nlast = 100\n");

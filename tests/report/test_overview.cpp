@@ -83,7 +83,7 @@ TEST_F(Overview, APauseInTheLogDoesNotUseUpTheColours) {
 }
 
 TEST_F(Overview, OnlyTheKnownPartIsShown) {
-  // 240 x 120 cells are known: 5 pixels a cell.
+  // 240 x 120 cells are known: 5 pixels per cell.
   const auto image = drawn(withRoom(1000, 1000, 300, 500, 540, 620), {});
   EXPECT_EQ(image.getWidth(), 240U * 5 + 2 * kMargin);
   EXPECT_GT(image.getAsFloat(kMargin, kMargin), 0.95);

@@ -14,13 +14,13 @@ function chartPlans(steps, particles) {
     },
     {
       title: "Coalescence",
-      text: "Unique ancestors: of the set at te of the open closing, else c2 of way ago. Copies that a recovery made count apart.",
+      text: "How many particles of an earlier moment still have descendants. The moment is te while a loop is being closed, else that when the path was c2 shorter. Copies that a recovery made count one by one.",
       most: particles,
       curves: [{ label: "unique ancestors", colour: "truth", values: steps.ancestors }],
     },
     {
       title: "Entropy, Eq. (6)",
-      text: "Of the pose, at each update: Gaussian fit of the particles, left scale. Of the map, at keyframes: known cells of s*, which stands for the mean over the particles; right scale.",
+      text: "Left scale: entropy of the pose, by a Gaussian fitted to the particles, at each update. Right scale: entropy of the map, of the known cells of s*, at keyframes; s* stands for the mean over the particles.",
       curves: [
         { label: "pose, nats", colour: "path", values: steps.poseEntropy },
         { label: "map, nats", colour: "graph", values: steps.mapEntropy, axis: "y2" },

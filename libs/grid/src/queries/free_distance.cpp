@@ -121,7 +121,7 @@ FreeDistance::FreeDistance(const OccupancyGrid& map, const mrpt::math::TPoint2D&
   // The window has one row more all around, never open, so that neighbours need no bounds; and as
   // many below and above as a wall's clearance reaches (within a row Clearance looks farther).
   const int margin = 2 + static_cast<int>(std::min(robot_radius_m / resolution_, kMostReach));
-  // AttachedPaths are between centres of cells, half a diagonal from the points at the most.
+  // Paths are between centres of cells, half a diagonal from the points at the most.
   const Box box = boxOfPaths(from, limit_m + 2 * resolution_, targets);
   const Cell low = map.cellOf({box.x0, box.y0});
   const Cell high = map.cellOf({box.x1, box.y1});

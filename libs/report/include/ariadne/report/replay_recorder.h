@@ -14,7 +14,7 @@ namespace ariadne::report {
 /// A look at the filter after an update; valid until the next one.
 struct FilterView {
   std::vector<const filter::Particle*> particles;  ///< not null, each with an ancestor
-  std::vector<double> weights;                     ///< normalised, one a particle
+  std::vector<double> weights;                     ///< normalised, one per particle
   std::size_t best = 0;                            ///< index of s*
   const loops::PlaceGraph* graph = nullptr;        ///< of s*; null where none is kept
 };
@@ -50,7 +50,7 @@ class ReplayRecorder {
   /// To be called after each filter update. An update at which the loop state changes gets a
   /// keyframe that stays.
   /// @param state of the robot in words
-  /// Throws core::Error when weights are not normalised or not one a particle.
+  /// Throws core::Error when weights are not normalised or not one per particle.
   void step(const slam::StepReport& report, const FilterView& view, std::string state);
 
   /// What was recorded, ending with a keyframe of the last update; the recorder is then as new.

@@ -39,7 +39,8 @@ struct DoubtCounts {
 /// The whole of it: a log's steps in, a map and a path out. Start here.
 class Mapper {
  public:
-  /// @param threads 0 takes one a core. Throws core::UsageError when a parameter is out of bounds.
+  /// @param threads 0 takes one per core. Throws core::UsageError when a parameter is out of
+  /// bounds.
   Mapper(const SlamParams& params, int threads);
   /// Goes on in a known map: scans with poses, and where the robot is now (map_from_robot).
   Mapper(const SlamParams& params, int threads, const mrpt::maps::CSimpleMap& known,

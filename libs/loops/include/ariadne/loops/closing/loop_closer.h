@@ -76,7 +76,7 @@ class LoopCloser {
 
   /// G of every particle.
   const std::vector<PlaceGraph>& graphs() const { return graphs_; }
-  /// For particles that were replaced from outside; one a particle.
+  /// For particles that were replaced from outside; one per particle.
   void setGraphs(std::vector<PlaceGraph> graphs) {
     graphs_ = std::move(graphs);
     unique_.reset();

@@ -30,7 +30,7 @@ struct SavedSet {
   std::size_t mapBytes() const;
 };
 
-/// @param graphs one a particle
+/// @param graphs one per particle
 /// @param te a past update; throws std::out_of_range when it is not
 SavedSet save(const filter::ParticleSet& particles, const std::vector<PlaceGraph>& graphs,
               std::size_t te);
