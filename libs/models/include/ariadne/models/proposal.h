@@ -27,7 +27,7 @@ constexpr double kCalibratedGain = 0.3;
 /// p(x | x', u) as a Gaussian: mean (map frame) and covariance of (x, y, heading).
 struct PosePrior {
   mrpt::math::TPose2D mean;
-  Eigen::Matrix3d covariance;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 };
 
 /// A Gaussian over poses.
