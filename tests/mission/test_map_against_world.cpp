@@ -83,17 +83,6 @@ TEST(MapAgainstWorld, AHallOfPillarsIsRightWithTheTruePoses) {
   EXPECT_GT(score.recall, 0.95);
 }
 
-// What was taken for the truth before: a grid of scans from everywhere. The laser sees 0.8 of its
-// range (drive.h), a beam without return clears all of it: walls beyond are gone, and the map that
-// keeps its walls gets the blame: precision 0.19, and 1.00 when beams clear 8 of 10 m (measured).
-TEST(MapAgainstWorld, AGridOfScansIsNoTruth) {
-  const Driven drive(hall(), kAmongThePillars);
-  const auto seeable = mission::seeable(drive.world, *drive.world.start, drive.params, kCell_m);
-  const auto score = eval::mapScore(drive.mapped(drive.seen.truth), eval::wallsOf(seeable),
-                                    {0, 0, 0}, kTolerance_m, kCell_m);
-  EXPECT_LT(score.precision, 0.3);
-}
-
 // Measured: 0.80 and 0.58 in the hall; 0.90 and 0.72 in the ring, half of whose walls are moved
 // along themselves. Bent by 0.1 m: 0.98 and 1.00.
 TEST(MapAgainstWorld, ABentMapIsNotRight) {

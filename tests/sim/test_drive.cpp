@@ -4,6 +4,7 @@
 
 #include "ariadne/core/error.h"
 #include "ariadne/sim/drive.h"
+#include "ariadne/sim/robot.h"
 #include "corner_world.h"
 #include "expect_error.h"
 
@@ -118,6 +119,23 @@ TEST(Drive, WallsBeyondTheRangeGiveNoReturn) {
   EXPECT_FALSE(drive.scans[0]->getScanRangeValidity(90));
   EXPECT_EQ(drive.scans[0]->getScanRange(90), 5);
   EXPECT_TRUE(drive.scans[0]->getScanRangeValidity(10));
+}
+
+// MRPT 2.5.8 sees 0.8 of the range that it is asked for.
+TEST(Drive, WallsAreSeenUpToTheRange) {
+  const World world = parseWorld("room 0 0 12 4\nstart 1 2 0\n", "long.world");
+  DriveParams params;
+  for (const double range_m : {11.2, 12.0, 13.0}) {
+    params.max_range_m = range_m;
+    const auto scan = Robot(world, *world.start, params).scan();
+    EXPECT_TRUE(scan->getScanRangeValidity(90)) << range_m;
+    EXPECT_NEAR(scan->getScanRange(90), 11, 0.06) << range_m;
+    EXPECT_EQ(scan->maxRange, static_cast<float>(range_m));
+  }
+  params.max_range_m = 10.9;
+  const auto scan = Robot(world, *world.start, params).scan();
+  EXPECT_FALSE(scan->getScanRangeValidity(90));
+  EXPECT_EQ(scan->getScanRange(90), 10.9F);
 }
 
 TEST(Drive, TouchingRockIsAnError) {

@@ -4,8 +4,7 @@
 //
 // The robot is MRPT's CVehicleSimul_DiffDriven, the laser COccupancyGridMap2D::laserScanSimulator,
 // which goes along a ray by steps of 0.8 cells: the end of a beam lies up to a cell behind the face
-// of the wall. MRPT 2.5.8 takes as many steps as the maximum range has cells, so the laser sees 0.8
-// of that range.
+// of the wall.
 #pragma once
 #include <mrpt/obs/CObservation2DRangeScan.h>
 
