@@ -56,7 +56,7 @@ TEST(RouteFollower, StaysOnTheRouteAndStopsAtItsEnd) {
   double worst = 0;
   int steps = 0;
   for (; !follower.arrived(robot) && steps < 300; ++steps) {
-    const auto c = follower.command(robot);
+    const auto c = follower.command(robot, {});
     EXPECT_LE(c.forward_m_s, params.speed_m_s);
     EXPECT_LE(std::abs(c.turn_rad_s), params.turn_deg_s * M_PI / 180 + 1e-9);
     robot = geometry::compose(robot, {c.forward_m_s * 0.2, 0, c.turn_rad_s * 0.2});
@@ -68,13 +68,43 @@ TEST(RouteFollower, StaysOnTheRouteAndStopsAtItsEnd) {
   EXPECT_TRUE(follower.arrived(robot));
   EXPECT_LT(steps, 150) << "30 s for 7 m";
   EXPECT_LT(worst, 0.3) << "a corner is cut by less than the lookahead";
-  EXPECT_EQ(follower.command(robot).forward_m_s, 0);
+  EXPECT_EQ(follower.command(robot, {}).forward_m_s, 0);
+}
+
+// Through a door of 0.8 m, along its wall and then in. Measured: 0.27 m off its frame; 0.18 m, which
+// is a touch, where the laser is not heeded.
+TEST(RouteFollower, DoesNotCutTheFrameOfADoor) {
+  const ExploreParams params;
+  explore::RouteFollower follower(params);
+  explore::Route route;
+  for (int k = 0; k <= 20; ++k) route.push_back({0.1 * k, 0});
+  for (int k = 1; k <= 15; ++k) route.push_back({2, 0.1 * k});
+  follower.take(route);
+  std::vector<TPoint2D> frame;  // of a door between x = 1.72 and 2.52, its wall at y = 0.28
+  for (int k = 0; k <= 30; ++k) {
+    frame.push_back({1.72 - 0.05 * k, 0.28});
+    frame.push_back({2.52 + 0.05 * k, 0.28});
+  }
+  TPose2D robot(0, 0, 0);
+  double nearest = 1e9;
+  for (int step = 0; !follower.arrived(robot) && step < 300; ++step) {
+    std::vector<TPoint2D> hits;
+    for (const TPoint2D& p : frame) {
+      const TPose2D at = geometry::relativePose(robot, {p.x, p.y, 0});
+      if (at.x > 0) hits.push_back({at.x, at.y});
+      nearest = std::min(nearest, std::hypot(at.x, at.y));
+    }
+    const auto c = follower.command(robot, hits);
+    robot = geometry::compose(robot, {c.forward_m_s * 0.2, 0, c.turn_rad_s * 0.2});
+  }
+  EXPECT_TRUE(follower.arrived(robot));
+  EXPECT_GT(nearest, params.robot_radius_m + 0.02);
 }
 
 TEST(RouteFollower, WithoutARouteItStands) {
   explore::RouteFollower follower{ExploreParams{}};
   EXPECT_TRUE(follower.arrived({1, 2, 3}));
-  EXPECT_EQ(follower.command({1, 2, 3}).turn_rad_s, 0);
+  EXPECT_EQ(follower.command({1, 2, 3}, {}).turn_rad_s, 0);
 }
 
 TEST(RouteFollower, FacesAPoint) {

@@ -74,9 +74,10 @@ VelocityCommand Explorer::drive(const Belief& belief) {
   if (mustDecide(belief)) decide(belief);
   if (mode_ != Mode::driving) return {};
   if (follower_.arrived(belief.map_from_robot)) return arrive(belief);
-  VelocityCommand command = follower_.command(belief.map_from_robot);
+  const std::vector<TPoint2D> hits = hitsOf(belief.scan, 2);
+  VelocityCommand command = follower_.command(belief.map_from_robot, hits);
   const double ahead_m = kGuard_m + command.forward_m_s * kScanPeriod_s;
-  if (command.forward_m_s > 0 && explore::blocked(hitsOf(belief.scan, 2), ahead_m, params_)) {
+  if (command.forward_m_s > 0 && explore::blocked(hits, ahead_m, params_)) {
     command.forward_m_s = 0;
     blocked(belief);
   }

@@ -1,6 +1,6 @@
 // Follows a route with a robot that has a differential drive and believes to be somewhere: it aims
 // at a point a little ahead on the route (pure pursuit; Coulter, CMU-RI-TR-92-01, 1992), and turns
-// on the spot where that lies far to its side.
+// on the spot where that lies far to its side. It does not cut a corner that its laser sees.
 #pragma once
 #include "ariadne/explore/planner.h"
 #include "ariadne/models/velocity_command.h"
@@ -22,13 +22,16 @@ class RouteFollower {
   /// Whether the robot is within a hand's breadth of the end.
   bool arrived(const mrpt::math::TPose2D& map_from_robot) const;
   /// What to do now; stands still without a route and at its end.
-  models::VelocityCommand command(const mrpt::math::TPose2D& map_from_robot);
+  /// @param hits what the laser sees near by, m, robot's frame
+  models::VelocityCommand command(const mrpt::math::TPose2D& map_from_robot,
+                                  const std::vector<mrpt::math::TPoint2D>& hits);
   /// Turns on the spot towards a point; stands still when it is ahead.
   models::VelocityCommand face(const mrpt::math::TPose2D& map_from_robot,
                                const mrpt::math::TPoint2D& point);
 
  private:
-  mrpt::math::TPoint2D aim(const mrpt::math::TPose2D& robot);
+  mrpt::math::TPoint2D aim(const mrpt::math::TPose2D& robot,
+                           const std::vector<mrpt::math::TPoint2D>& hits);
 
   ExploreParams params_;
   Route route_;
