@@ -29,6 +29,7 @@ constexpr const char* kExamples =
     "  ariadne-dataset noise corrected.log noisy.rawlog --rot-rot 0.1 --seed 7\n"
     "  ariadne-dataset simulate nested.world nested.path nested.rawlog --laps 6\n"
     "  ariadne-dataset world nested.world nested.png --path nested.path\n"
+    "  ariadne-dataset world --random office --seed 7 office7.world office7.png\n"
     "Exit code: 0 fine, 1 the run failed, 2 wrong use.";
 
 constexpr const char* kNoiseFooter =

@@ -106,6 +106,13 @@ void simulate(const SimulateArguments& args, std::ostream& out, std::ostream& er
 }
 
 void drawWorld(const SimulateArguments& args, std::ostream& out, std::ostream& err) {
+  if (args.random) {
+    refuseToOverwrite(args.world, args.overwrite);
+    io::writeWhole(args.world, sim::randomWorld(*args.random, args.seed));
+    out << fmt::format("wrote {}\n", args.world.string());
+    if (args.out.empty()) return;
+  }
+  if (args.out.empty()) throw core::UsageError("OUT is missing: the PNG to write");
   refuseToOverwrite(args.out, args.overwrite);
   const sim::World world = worldOf(args, err);
   geometry::Trajectory poses;

@@ -1,5 +1,7 @@
 #include "simulate_options.h"
 
+#include <map>
+
 namespace ariadne {
 namespace {
 
@@ -15,8 +17,10 @@ constexpr const char* kSimulateFooter =
     "Keys of --set, with their defaults:\n";
 
 constexpr const char* kWorldFooter =
-    "Example: ariadne-dataset world datasets/worlds/nested.world nested.png \\\n"
-    "           --path datasets/drives/nested.path --laps 1";
+    "Examples:\n"
+    "  ariadne-dataset world datasets/worlds/nested.world nested.png \\\n"
+    "    --path datasets/drives/nested.path --laps 1\n"
+    "  ariadne-dataset world --random office --seed 7 office7.world office7.png";
 
 void addDriveOptions(CLI::App* sub, SimulateArguments& args) {
   sub->add_option("--laps", args.laps, "what `repeat laps` means in the drive");
@@ -42,9 +46,19 @@ CLI::App* declareSimulate(CLI::App& app, SimulateArguments& args) {
 }
 
 CLI::App* declareWorld(CLI::App& app, SimulateArguments& args) {
-  CLI::App* sub = app.add_subcommand("world", "A picture of a world, and of a drive in it");
-  sub->add_option("WORLD", args.world, "world to draw")->required();
-  sub->add_option("OUT", args.out, "PNG to write")->required();
+  CLI::App* sub =
+      app.add_subcommand("world", "A picture of a world, and of a drive in it; a random world");
+  sub->add_option("WORLD", args.world, "world to draw; with --random the .world to write")
+      ->required();
+  sub->add_option("OUT", args.out, "PNG to write; with --random it may be left out");
+  std::map<std::string, sim::RandomWorld> kinds;
+  for (const auto& [name, kind] : sim::randomWorlds())
+    if (kind != sim::RandomWorld::none) kinds.emplace(name, kind);
+  sub->add_option("--random", args.random, "draw a world from the seed: office or corridors")
+      ->transform(CLI::CheckedTransformer(kinds).description(""));
+  sub->add_option("--seed", args.seed, "of --random: same seed, same world")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
   sub->add_option("--path", args.path, "drive to draw: its waypoints");
   addDriveOptions(sub, args);
   sub->footer(kWorldFooter);

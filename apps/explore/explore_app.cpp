@@ -59,11 +59,21 @@ void tellCollisions(ExplorationResult& result) {
                     c.time_s, c.world_from_robot.x, c.world_from_robot.y));
 }
 
+void checkWorld(const WorldParams& world) {
+  const bool drawn = world.random != sim::RandomWorld::none;
+  if (world.file.empty() && !drawn)
+    throw core::UsageError("no world: name one with --world, or in the INI as [world] file");
+  if (!world.file.empty() && drawn)
+    throw core::UsageError(fmt::format(
+        "[world] random and [world] file = {}: one of them names the world; --random, or "
+        "--set world.file= leaves the file out",
+        world.file));
+}
+
 int exploreWorld(const Options& options, ResolvedConfig resolved, std::ostream& out,
                  std::ostream& err) {
   ExploreConfig& config = resolved.config;
-  if (config.world.file.empty())
-    throw core::UsageError("no world: name one with --world, or in the INI as [world] file");
+  checkWorld(config.world);
   config.run.out = std::filesystem::absolute(outputFolderOf(config)).lexically_normal().string();
   io::writeIni(config, "");  // throws now, not after the drive, for a name that no INI can hold
   const sim::World world = readWorldOf(config);

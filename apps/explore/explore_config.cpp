@@ -21,6 +21,10 @@ namespace fs = std::filesystem;
 std::vector<io::IniEntry> flagEntries(const Options& o) {
   std::vector<io::IniEntry> entries = app::flagEntries(o);
   if (o.world) entries.push_back({"world", "file", *o.world, "--world"});
+  if (o.random) {
+    entries.push_back({"world", "file", "", "--random"});
+    entries.push_back({"world", "random", *o.random, "--random"});
+  }
   if (o.start) entries.push_back({"world", "start", *o.start, "--start"});
   if (o.strategy) entries.push_back({"explore", "strategy", *o.strategy, "--strategy"});
   return entries;
@@ -46,6 +50,14 @@ bool isPicture(const fs::path& file) {
   return ending == ".png" || ending == ".pgm" || ending == ".bmp";
 }
 
+/// office-7, of kind and seed.
+std::string randomName(const ExploreConfig& config) {
+  for (const auto& [name, kind] : sim::randomWorlds())
+    if (kind == config.world.random)
+      return fmt::format("{}-{}", name, config.mission.slam.filter.seed);
+  return "";
+}
+
 }  // namespace
 
 ResolvedConfig resolveConfig(const Options& options) {
@@ -68,6 +80,9 @@ ResolvedConfig resolveConfig(const Options& options) {
 
 sim::World readWorldOf(const ExploreConfig& config) {
   const WorldParams& world = config.world;
+  if (world.random != sim::RandomWorld::none)
+    return sim::parseWorld(sim::randomWorld(world.random, config.mission.slam.filter.seed),
+                           randomName(config));
   return isPicture(world.file) ? sim::readWorldPicture(world.file, world.resolution_m)
                                : sim::readWorld(world.file);
 }
@@ -94,7 +109,9 @@ mrpt::math::TPose2D startOf(const ExploreConfig& config, const sim::World& world
 }
 
 std::string outputFolderOf(const ExploreConfig& config) {
-  return config.run.out.empty() ? app::newFolderFor(config.world.file) : config.run.out;
+  if (!config.run.out.empty()) return config.run.out;
+  const bool drawn = config.world.random != sim::RandomWorld::none;
+  return app::newFolderFor(drawn ? randomName(config) : config.world.file);
 }
 
 }  // namespace ariadne::explore_app

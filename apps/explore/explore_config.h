@@ -5,6 +5,7 @@
 
 #include "ariadne/eval/loop_errors.h"
 #include "ariadne/mission/mission.h"
+#include "ariadne/sim/random_world.h"
 #include "explore_options.h"
 #include "run_folder.h"
 
@@ -12,6 +13,7 @@ namespace ariadne::explore_app {
 
 struct WorldParams {
   std::string file;
+  sim::RandomWorld random = sim::RandomWorld::none;
   double resolution_m = 0.05;
   std::string start;
 };
@@ -22,6 +24,10 @@ void visitFields(V& v, WorldParams& p) {
          "world to explore: a drawn .world, a map of ROS (.yaml) or MRPT (.gridmap, .gridmap.gz), "
          "or a picture (.png, .pgm, .bmp); a relative path starts at the INI's folder, or at the "
          "current one on the command line");
+  v.choice(
+      "random", p.random, sim::randomWorlds(),
+      "a world drawn from the run's seed in place of the file: office: corridors and furnished "
+      "rooms; corridors: bare ones alone; none: the file");
   v.number("resolution_m", p.resolution_m, {0.01, 0.5}, "side of a pixel, for a picture only");
   v.text("start", p.start,
          "where the robot starts and looks: x,y,degrees in the frame of the world; empty: what the "
@@ -69,7 +75,8 @@ struct ResolvedConfig {
 /// or core::Error when the INI cannot be read.
 ResolvedConfig resolveConfig(const Options& options);
 
-/// The world's file as [world] has it. Throws as sim::readWorld().
+/// The world as [world] has it: its file, or one drawn from the run's seed. Throws as
+/// sim::readWorld().
 sim::World readWorldOf(const ExploreConfig& config);
 
 /// Where the robot starts: by [world] start, else the world, else drawn from the seed.

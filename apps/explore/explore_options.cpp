@@ -25,6 +25,7 @@ constexpr const char* kFooter =
     "  ariadne-explore ini/explore/three_loops.ini --strategy frontier --seed 7 --out frontier-7\n"
     "  ariadne-explore ini/explore/nested.ini --world mine.png --set world.resolution_m=0.1\n"
     "  ariadne-explore ini/explore/office.ini --start 4,2,90 --set noise.turn_per_root_m_deg=1\n"
+    "  ariadne-explore ini/explore/three_loops.ini --random office --seed 7\n"
     "The drive is mapped again, to the same bits, by: ariadne-slam OUT/mapping.ini\n"
     "Exit code: 0 fine, 1 the run failed, 2 wrong use, 130 stopped by Ctrl-C, 143 by SIGTERM.";
 
@@ -32,6 +33,10 @@ void declare(CLI::App& program, Options& o) {
   program.footer(kFooter);
   program.add_option("CONFIG", o.config_file, "INI file");
   program.add_option("--world", o.world, "world to explore; default: the one the INI names");
+  program
+      .add_option("--random", o.random,
+                  "explore a world drawn from the seed in place of the INI's: office or corridors")
+      ->excludes("--world");
   program.add_option("--start", o.start,
                      "x,y,degrees; default: the INI's, else the world's, else drawn from the seed");
   program.add_option("--strategy", o.strategy, "what is done about loops, see below");

@@ -11,6 +11,7 @@ namespace ariadne::explore_app {
 
 struct Options : app::RunOptions {
   std::optional<std::string> world;  ///< as typed, as the next two
+  std::optional<std::string> random;
   std::optional<std::string> start;
   std::optional<std::string> strategy;
 };

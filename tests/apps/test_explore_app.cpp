@@ -206,6 +206,26 @@ TEST_F(ExploreApp, ErrorsSayWhatWouldBeRight) {
   EXPECT_FALSE(fs::exists(folder / "x"));
 }
 
+TEST_F(ExploreApp, ARandomWorldIsDrawnFromTheSeed) {
+  const std::vector<std::string> short_drive{"--no-pictures", "--set", "explore.max_distance_m=2",
+                                             "--random", "corridors"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), short_drive.begin(), short_drive.end());
+    return more;
+  };
+  ASSERT_EQ(explore("a", with({"--seed", "3"})), 0) << err;
+  ASSERT_EQ(explore("b", with({"--seed", "4"})), 0) << err;
+  const auto start = [&](const char* name) {
+    return ariadne::io::readTum(folder / name / "truth.tum").front().pose;
+  };
+  EXPECT_NE(start("a").x, start("b").x);
+  EXPECT_EQ(explore("x", with({"--world", "a.world"})), 2);
+  EXPECT_EQ(explore("x", {"--random", "castle"}), 2);
+  EXPECT_NE(err.find("corridors"), std::string::npos) << err;
+  EXPECT_EQ(explore("x", {"--set", "world.random=office"}), 2);
+  EXPECT_NE(err.find("--set world.file="), std::string::npos) << err;
+}
+
 TEST_F(ExploreApp, AResultIsNotOverwrittenUnasked) {
   ASSERT_EQ(explore("a", {"--no-pictures", "--set", "explore.max_distance_m=2"}), 0) << err;
   EXPECT_EQ(explore("a", {"--no-pictures", "--set", "explore.max_distance_m=2"}), 2);

@@ -153,6 +153,20 @@ TEST_F(SimulateApp, WorldDrawsAPicture) {
   EXPECT_NE(err.str().find("exists"), std::string::npos);
 }
 
+TEST_F(SimulateApp, WorldDrawsARandomOne) {
+  ASSERT_EQ(run({"world", "--random", "office", "--seed", "7", path("o.world"), path("o.png")}), 0)
+      << err.str();
+  EXPECT_EQ(text("o.png").substr(1, 3), "PNG");
+  EXPECT_EQ(text("o.world").rfind("# ariadne-dataset world --random office --seed 7", 0), 0U);
+  ASSERT_EQ(run({"world", "--random", "corridors", path("c.world")}), 0) << err.str();
+  EXPECT_EQ(run({"world", "--random", "corridors", path("c.world")}), 1);
+  EXPECT_NE(err.str().find("exists"), std::string::npos);
+  EXPECT_EQ(run({"world", "--random", "castle", path("d.world")}), 2);
+  EXPECT_NE(err.str().find("office"), std::string::npos) << err.str();
+  EXPECT_EQ(run({"world", path("o.world")}), 2);
+  EXPECT_NE(err.str().find("OUT"), std::string::npos) << err.str();
+}
+
 TEST_F(SimulateApp, TheCommittedLogIsWhatItsRecipeMakes) {
   const fs::path datasets = ariadne::test::shippedDatasets();
   ASSERT_EQ(run({"simulate", (datasets / "worlds/small.world").string(),
