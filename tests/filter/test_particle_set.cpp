@@ -126,6 +126,43 @@ TEST(ParticleSet, AMapThatDoesNotFitYetDoesNotPullTheRobotIn) { EXPECT_LT(offAft
 // Measured: 0.07 m.
 TEST(ParticleSet, ASlipOfTheWheelsIsFollowed) { EXPECT_LT(offAfter(0, 0.6), 0.1); }
 
+namespace {
+
+/// How far s* is behind, m, after 6 m along a bare corridor by odometry without error.
+double behindInACorridor(double blind_share) {
+  mrpt::maps::COccupancyGridMap2D corridor(-20, 20, -2, 2, 0.05F);
+  corridor.fill(0.02F);
+  for (double x = -19; x < 19; x += 0.05)
+    for (double y = -1; y < 1; y += 0.05)
+      corridor.setPos(static_cast<float>(x + 0.02), static_cast<float>(y + 0.02), 0.98F);
+  filter::FilterModels models = modelsWith(filter::Proposal::improved);
+  models.matcher.blind_share = blind_share;
+  core::Parallel parallel(1);
+  ParticleSet set(models, parallel, {-8, 0, 0}, grid::OccupancyGrid(models.grid));
+  TPose2D truth(-8, 0, 0);
+  for (int i = 0; i < 20; ++i) {
+    truth.x += 0.3;
+    auto raw = mrpt::obs::CObservation2DRangeScan::Create();
+    raw->aperture = static_cast<float>(M_PI);
+    raw->rightToLeft = true;
+    raw->maxRange = 10;
+    corridor.laserScanSimulator(*raw, mrpt::poses::CPose2D(truth), 0.5F, 181);
+    const grid::Scan scan = grid::takeScan(raw, models.grid, 180);
+    set.predict({0.3, 0, 0});
+    set.match(scan);
+    set.weigh(scan);
+    set.insert(scan, 5);
+  }
+  return truth.x - set[set.best()].map_from_robot.x;
+}
+
+}  // namespace
+
+TEST(ParticleSet, ABareCorridorDoesNotHoldTheRobotBack) {
+  EXPECT_NEAR(behindInACorridor(models::MatcherParams().blind_share), 0, 0.3) << "six standard deviations of the samples";
+  EXPECT_GT(behindInACorridor(0), 0.3);
+}
+
 TEST(ParticleSet, NewGroundWeighsLessAndTheRthRevisitOneOverRSquared) {
   auto models = modelsWith(filter::Proposal::improved);
   models.filter.new_ground_weight = 0.1;

@@ -58,6 +58,8 @@ void ParticleSet::match(const grid::Scan& scan) {
     candidates_[i].match = matcher_((*this)[i].map, scan.features, prior.mean, prior.covariance);
   });
   settleDisputes(scan);
+  if (scan.walls.across < models_.matcher.blind_share)
+    for (Candidate& c : candidates_) leaveToOdometry(scan.walls.axis, c);
 }
 
 /// Where a match is far off the odometry, the last metres of the hypothesis are asked. A map of
@@ -77,6 +79,17 @@ void ParticleSet::settleDisputes(const grid::Scan& scan) {
     if (slip > kSlipped * sigmasOff(c.match.map_from_robot, c.prior)) return;
     c.match = RecentScans::settled(c.match, recent(disputed[k]), c.prior);
   });
+}
+
+/// In a bare corridor the ends of beams go along with the robot, and the walls as mapped hold it
+/// back: 2 to 3 % of the way. What the scan cannot tell is not asked of it.
+void ParticleSet::leaveToOdometry(const mrpt::math::TPoint2D& axis, Candidate& c) const {
+  TPose2D& at = c.match.map_from_robot;
+  const Eigen::Vector2d along = Eigen::Rotation2Dd(at.phi) * Eigen::Vector2d(axis.x, axis.y);
+  const double off_m = along.dot(Eigen::Vector2d(at.x - c.prior.mean.x, at.y - c.prior.mean.y));
+  at.x -= off_m * along.x();
+  at.y -= off_m * along.y();
+  c.told.topLeftCorner<2, 2>() -= along * along.transpose();
 }
 
 void ParticleSet::weigh(const grid::Scan& scan) {
@@ -118,7 +131,7 @@ void ParticleSet::draw(std::size_t i, const grid::Scan& scan) {
   if (p.proposal == Proposal::improved) {
     const models::PoseGaussian fit =
         models::fitProposal(likelihood_, particle.map, scan.features, c.match.map_from_robot,
-                            c.prior, {p.proposal_gain, p.weight_gain});
+                            c.prior, {p.proposal_gain, p.weight_gain}, c.told);
     auto rng = stream(core::Purpose::proposal);
     c.pose = fit.sample(rng);
     c.information = fit.information;

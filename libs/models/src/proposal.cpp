@@ -25,11 +25,11 @@ TPose2D PoseGaussian::sample(core::RandomStream& rng) const {
 
 PoseGaussian fitProposal(const grid::EndpointLikelihood& likelihood, const grid::OccupancyGrid& map,
                          const std::vector<mrpt::math::TPoint2D>& points, const TPose2D& mode,
-                         const PosePrior& prior, const Gains& gains) {
+                         const PosePrior& prior, const Gains& gains, const Eigen::Matrix3d& told) {
   PoseGaussian fit;
   fit.mean = mode;
   fit.log_likelihood = likelihood(map, points, mode);
-  const Eigen::Matrix3d h = likelihood.information(map, points, mode);
+  const Eigen::Matrix3d h = told * likelihood.information(map, points, mode) * told;
   fit.information = h;
   const Eigen::Matrix3d prior_information = prior.covariance.inverse();
   fit.covariance = (prior_information + gains.proposal * h).inverse();

@@ -13,6 +13,7 @@ Scan takeScan(mrpt::obs::CObservation2DRangeScan::Ptr raw, const GridParams& par
   ScanReturns returns = returnsOf(*raw, params.insert_range_m);
   scan.shape.outline = outlineOf(*raw, params);
   scan.features = thinned(featuresOf(*raw, returns, kFewReturns), most_features);
+  scan.walls = wallDirections(returns.points, returns.beams);
   if (!scan.shape.outline.empty()) {
     scan.shape.hits = std::move(returns.points);
     scan.beams = std::move(returns.beams);

@@ -113,7 +113,8 @@ class ParticleSet
   /// What an update finds for one particle.
   struct Candidate {
     models::PosePrior prior;
-    models::Match match;  // accepted: a scan fitted there
+    models::Match match;                                 // accepted: a scan fitted there
+    Eigen::Matrix3d told = Eigen::Matrix3d::Identity();  // onto what the scan tells of, map frame
     mrpt::math::TPose2D pose;
     double log_weight = 0;
     double log_likelihood = 0;
@@ -122,6 +123,7 @@ class ParticleSet
   };
   void predictBy(const models::Motion& motion);
   void settleDisputes(const grid::Scan& scan);
+  void leaveToOdometry(const mrpt::math::TPoint2D& axis, Candidate& candidate) const;
   void draw(std::size_t i, const grid::Scan& scan);
   void learnMotion(const Candidate& star);
   double evidenceOfPlace() const;

@@ -25,6 +25,7 @@ struct MatcherParams {
   double sweep_below = 0.95;
   double search_below = 0.5;
   double disputed_sigmas = 4;
+  double blind_share = 0.005;
 };
 
 template <class V>
@@ -65,6 +66,9 @@ void visitFields(V& v, MatcherParams& p) {
       "disputed_sigmas", p.disputed_sigmas, {0, 100},
       "a match this many standard deviations off the odometry is held against the scans of the "
       "last metres alone; 0: never");
+  v.number("blind_share", p.blind_share, {0, 0.5},
+           "where under this share of the walls stands across an axis, the odometry alone says how "
+           "far the robot went along it, as in a bare corridor; 0: never");
 }
 
 }  // namespace ariadne::models

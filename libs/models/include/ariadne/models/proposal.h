@@ -43,9 +43,12 @@ struct PoseGaussian {
 };
 
 /// @param mode pose that maximises likelihood times prior, from the scan matcher.
+/// @param told projects (x, y, heading), map frame, onto what the scan tells of: the identity where
+/// it tells of all
 PoseGaussian fitProposal(const grid::EndpointLikelihood& likelihood, const grid::OccupancyGrid& map,
                          const std::vector<mrpt::math::TPoint2D>& points,
                          const mrpt::math::TPose2D& mode, const PosePrior& prior,
-                         const Gains& gains);
+                         const Gains& gains,
+                         const Eigen::Matrix3d& told = Eigen::Matrix3d::Identity());
 
 }  // namespace ariadne::models

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ariadne/grid/insertion/scan_shape.h"
+#include "ariadne/grid/insertion/wall_directions.h"
 
 namespace ariadne::grid {
 
@@ -14,6 +15,7 @@ struct Scan {
   ScanShape shape;                              ///< by which it enters maps
   std::vector<std::size_t> beams;               ///< of each of shape.hits
   std::vector<mrpt::math::TPoint2D> features;   ///< by which it is matched: scanFeatures()
+  WallDirections walls;                         ///< of all its ends
 
   /// Those of shape.hits with a reading under `range_m`, m, robot's frame.
   std::vector<mrpt::math::TPoint2D> hitsWithin(double range_m) const;
