@@ -18,7 +18,7 @@ enum class Purpose : std::uint32_t {
   start = 7,
   bootstrap = 8,
   closure = 9,
-  fork = 10,  ///< seeds of filters that were split off
+  fork = 10,   ///< seeds of filters that were split off
   world = 11,  ///< a building
   test = 99
 };
