@@ -158,8 +158,9 @@ double behindInACorridor(double blind_share) {
 
 }  // namespace
 
+// Measured: 0.02 m; 0.40 m where the scan is asked.
 TEST(ParticleSet, ABareCorridorDoesNotHoldTheRobotBack) {
-  EXPECT_NEAR(behindInACorridor(models::MatcherParams().blind_share), 0, 0.3) << "six standard deviations of the samples";
+  EXPECT_NEAR(behindInACorridor(models::MatcherParams().blind_share), 0, 0.1);
   EXPECT_GT(behindInACorridor(0), 0.3);
 }
 

@@ -73,11 +73,13 @@ void ParticleSet::settleDisputes(const grid::Scan& scan) {
     return recent_.matched(candidates_[i].prior, matcher_, scan.features, (*this)[i].ancestor);
   };
   const std::size_t star = best();
-  const double slip = sigmasOff(recent(star).map_from_robot, candidates_[star].prior);
+  const models::Match of_star = recent(star);
+  const double slip = sigmasOff(of_star.map_from_robot, candidates_[star].prior);
   parallel_.forEach(disputed.size(), [&](std::size_t k) {
     Candidate& c = candidates_[disputed[k]];
     if (slip > kSlipped * sigmasOff(c.match.map_from_robot, c.prior)) return;
-    c.match = RecentScans::settled(c.match, recent(disputed[k]), c.prior);
+    const models::Match own = disputed[k] == star ? of_star : recent(disputed[k]);
+    c.match = RecentScans::settled(c.match, own, c.prior);
   });
 }
 

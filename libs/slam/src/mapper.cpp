@@ -4,18 +4,10 @@
 
 #include <chrono>
 #include <cmath>
-#include <functional>
 
 #include "ariadne/core/error.h"
-#include "ariadne/core/parallel.h"
-#include "ariadne/filter/particle_set.h"
-#include "ariadne/geometry/pose.h"
 #include "ariadne/grid/insertion/scan.h"
-#include "ariadne/grid/map/conversion.h"
-#include "ariadne/loops/closing/loop_closer.h"
-#include "ariadne/slam/pose_path.h"
-#include "dead_reckoning.h"
-#include "recapture.h"
+#include "mapper_impl.h"
 #include "simple_map.h"
 
 namespace ariadne::slam {
@@ -57,42 +49,24 @@ loops::LoopCloserParams loopsOf(const SlamParams& p) {
 
 }  // namespace
 
-struct Mapper::Impl {
-  Impl(const SlamParams& p, int threads, const mrpt::maps::CSimpleMap& before, const TPose2D& start)
-      : params(validated(p)),
-        known(std::make_shared<mrpt::maps::CSimpleMap>(before)),
-        parallel(std::make_shared<core::Parallel>(threads)),
-        particles(modelsOf(params), *parallel, start, gridOf(before, params.grid)),
-        loops(loopsOf(params), *parallel),
-        reckoning(params.motion),
-        recapture(params.matcher, params.filter.proposal_gain) {}
+Mapper::Impl::Impl(const SlamParams& p, int threads, const mrpt::maps::CSimpleMap& before,
+                   const TPose2D& start)
+    : params(validated(p)),
+      known(std::make_shared<mrpt::maps::CSimpleMap>(before)),
+      parallel(std::make_shared<core::Parallel>(threads)),
+      particles(modelsOf(params), *parallel, start, gridOf(before, params.grid)),
+      loops(loopsOf(params), *parallel),
+      reckoning(params.motion),
+      recapture(params.matcher, params.filter.proposal_gain) {}
 
-  bool due(const models::SensorStep& step) const {
-    if (!step.scan) return false;
-    const auto& doubt = reckoning.doubt();
-    if (scans.empty() || (doubt && doubt->claimed)) return true;
-    const TPose2D moved = reckoning.sinceUpdate();
-    return std::hypot(moved.x, moved.y) >= params.update.update_distance_m ||
-           std::abs(moved.phi) >= mrpt::DEG2RAD(params.update.update_angle_deg);
-  }
-
-  std::optional<Recaptured> recaptured(const grid::Scan& scan);
-  StepReport update(const grid::Scan& scan, const TPose2D& motion,
-                    const std::optional<Recaptured>& told);
-
-  SlamParams params;
-  std::shared_ptr<const mrpt::maps::CSimpleMap> known;
-  std::shared_ptr<core::Parallel> parallel;  // forks work on the same threads
-  filter::ParticleSet particles;
-  loops::LoopCloser loops;
-  DeadReckoning reckoning;
-  Recapture recapture;
-  DoubtCounts doubts;
-  std::vector<OdometryRecord> records;
-  std::vector<mrpt::obs::CObservation2DRangeScan::Ptr> scans;  // one an update
-  StageTimes times;
-  std::function<void()> before_recovery;
-};
+bool Mapper::Impl::due(const models::SensorStep& step) const {
+  if (!step.scan) return false;
+  const auto& doubt = reckoning.doubt();
+  if (scans.empty() || (doubt && doubt->claimed)) return true;
+  const TPose2D moved = reckoning.sinceUpdate();
+  return std::hypot(moved.x, moved.y) >= params.update.update_distance_m ||
+         std::abs(moved.phi) >= mrpt::DEG2RAD(params.update.update_angle_deg);
+}
 
 /// The motion since the last update where the odometry alone does not tell it.
 std::optional<Recaptured> Mapper::Impl::recaptured(const grid::Scan& scan) {
@@ -186,80 +160,5 @@ std::optional<StepReport> Mapper::process(const models::SensorStep& step) {
   report.time_s = step.time_s;
   return report;
 }
-
-std::unique_ptr<Mapper> Mapper::forkWithoutRecovery() const {
-  std::unique_ptr<Mapper> other(new Mapper(std::make_unique<Impl>(*impl_)));
-  other->impl_->before_recovery = nullptr;
-  other->impl_->loops.disableRecovery();
-  return other;
-}
-
-void Mapper::collapseTo(std::size_t particle, std::uint64_t seed) {
-  impl_->params.filter.seed = seed;
-  impl_->particles.reseed(seed);
-  impl_->loops.reseed(seed);
-  const std::size_t n = impl_->particles.size();
-  const filter::Particle one = impl_->particles[particle];
-  impl_->particles.replace(std::vector<filter::Particle>(n, one),
-                           std::vector<double>(n, 1.0 / static_cast<double>(n)));
-  if (!graphs().empty())
-    impl_->loops.setGraphs(std::vector<loops::PlaceGraph>(n, graphs()[particle]));
-}
-
-void Mapper::gatherBest(const std::vector<std::unique_ptr<Mapper>>& others,
-                        const std::vector<double>& weights) {
-  std::vector<filter::Particle> particles;
-  std::vector<loops::PlaceGraph> of_each;
-  for (const auto& other : others) {
-    const std::size_t best = other->particles().best();
-    particles.push_back(other->particles()[best]);
-    if (!graphs().empty()) of_each.push_back(other->graphs()[best]);
-  }
-  impl_->particles.replace(std::move(particles), weights);
-  impl_->loops.setGraphs(std::move(of_each));
-}
-
-void Mapper::beforeRecovery(std::function<void()> call) {
-  impl_->before_recovery = std::move(call);
-}
-
-mrpt::maps::COccupancyGridMap2D Mapper::map() const {
-  return grid::toMrpt(impl_->particles[impl_->particles.best()].map);
-}
-
-geometry::Trajectory Mapper::path() const { return pathOf(impl_->particles.best()); }
-
-geometry::Trajectory Mapper::pathOf(std::size_t particle) const {
-  return posePath(impl_->records, impl_->particles[particle].ancestor);
-}
-
-TPose2D Mapper::pose() const {
-  const TPose2D& last = impl_->particles[impl_->particles.best()].map_from_robot;
-  if (impl_->scans.empty()) return last;
-  return geometry::compose(last, impl_->reckoning.sinceUpdate());
-}
-
-const filter::ParticleSet& Mapper::particles() const { return impl_->particles; }
-
-mrpt::maps::CSimpleMap Mapper::simpleMap() const {
-  return simpleMapOf(*impl_->known, impl_->scans,
-                     impl_->particles[impl_->particles.best()].ancestor);
-}
-
-const std::vector<loops::PlaceGraph>& Mapper::graphs() const { return impl_->loops.graphs(); }
-std::vector<loops::ClosingRecord> Mapper::closings() const { return impl_->loops.records(); }
-
-const std::vector<loops::FoundClosure>& Mapper::foundClosures() const {
-  return impl_->loops.found();
-}
-const models::MotionLearner& Mapper::learnedMotion() const { return impl_->particles.learned(); }
-
-std::vector<const loops::Closing*> Mapper::openClosings() const {
-  return impl_->loops.openClosings();
-}
-
-StageTimes Mapper::times() const { return impl_->times; }
-std::size_t Mapper::updates() const { return impl_->scans.size(); }
-const DoubtCounts& Mapper::doubts() const { return impl_->doubts; }
 
 }  // namespace ariadne::slam
