@@ -164,10 +164,12 @@ TEST_F(ExperimentApp, AFolderThatCannotBeWritten) {
   writeExperiment("[seeds]\nlast = 6\n");
   EXPECT_EQ(runInto("arm.ini/x"), 1);
   EXPECT_TRUE(says("cannot make the folder")) << err;
-  // As of a disk that fills up on the way: results cannot be stored from some moment on.
+  // As of a disk that fills up on the way: results cannot be stored from some moment on. A run goes on
+  // while the one before is stored, so it waits for the six of seeds 1 to 3.
   writeProgram(
-      "[ $seed = 4 ] && mkdir \"$here/gone\" && mv \"$here\"/a/runs \"$here/gone\" && "
-      "echo > \"$here/a/runs\"");
+      "[ $seed = 4 ] && mkdir \"$here/gone\" && "
+      "until [ $(ls \"$here/a/runs\" | wc -l) = 6 ]; do sleep 0.01; done && "
+      "mv \"$here/a/runs\" \"$here/gone\" && echo > \"$here/a/runs\"");
   EXPECT_EQ(run({"run", ini().string(), "--out", at("a"), "--jobs", "1"}), 1);
   EXPECT_TRUE(says("cannot write")) << err;
   EXPECT_TRUE(says("finished runs are kept; the same command goes on")) << err;
