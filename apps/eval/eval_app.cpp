@@ -10,6 +10,7 @@
 #include "neff_command.h"
 #include "plan_command.h"
 #include "run_program.h"
+#include "weights_command.h"
 
 namespace ariadne {
 namespace {
@@ -30,11 +31,15 @@ constexpr const char* kExamples =
     "--help)\n"
     "  ariadne-eval neff ini/paper/drives/nested.ini neff.png     Neff over a drive\n"
     "  ariadne-eval neff-log truth.tum neff.png --plain a/steps.csv --revisit b/steps.csv\n"
+    "  ariadne-eval weights ini/paper/drives/nested_defaults.ini  how far weights are to be "
+    "believed\n"
     "Exit code: 0 fine, 1 the run failed, 2 wrong use.";
 
 using Command = int (*)(const std::vector<std::string>&, std::ostream&);
-constexpr std::pair<const char*, Command> kCommands[] = {
-    {"plan", eval_app::runPlan}, {"neff", eval_app::runNeff}, {"neff-log", eval_app::runNeffLog}};
+constexpr std::pair<const char*, Command> kCommands[] = {{"plan", eval_app::runPlan},
+                                                         {"neff", eval_app::runNeff},
+                                                         {"neff-log", eval_app::runNeffLog},
+                                                         {"weights", eval_app::runWeights}};
 
 void declare(CLI::App& app, eval_app::Arguments& a) {
   app.footer(kExamples);

@@ -2,6 +2,7 @@
 #include <sstream>
 
 #include "../io/temporary_folder.h"
+#include "../shipped_datasets.h"
 #include "ariadne/geometry/pose.h"
 #include "ariadne/io/tum.h"
 #include "ariadne/io/whole_file.h"
@@ -165,4 +166,20 @@ TEST_F(EvalApp, NeffOfALogByItsPasses) {
             1);
   EXPECT_EQ(run({"neff", path("none.ini"), path("x.png")}), 1);
   EXPECT_EQ(run({"neff"}), 2);
+}
+
+TEST_F(EvalApp, WeightsOfADriveByItsPasses) {
+  const std::string small =
+      (ariadne::test::shippedDatasets().parent_path() / "ini/paper/drives/small.ini").string();
+  ASSERT_EQ(run({"weights", small, "--last", "2", "--least", "0.05", "--stretch", "5"}), 0)
+      << err.str();
+  const std::string said = out.str();
+  EXPECT_NE(said.find("| never | 2 | "), std::string::npos) << said;
+  EXPECT_NE(said.find("| once | 2 | "), std::string::npos) << said;
+  ASSERT_EQ(run({"weights", small, "--last", "2", "--least", "0.05", "--stretch", "5"}), 0);
+  EXPECT_EQ(out.str(), said);
+  EXPECT_EQ(run({"weights", small, "--first", "3", "--last", "2"}), 2);
+  EXPECT_EQ(run({"weights", small, "--set", "filter.new_ground_weight=0"}), 2);
+  EXPECT_EQ(run({"weights", path("none.ini")}), 1);
+  EXPECT_EQ(run({"weights"}), 2);
 }

@@ -42,3 +42,12 @@ TEST_F(DatasetPlace, HereThenWhereTheEnvironmentSaysElseBesideTheProject) {
   EXPECT_EQ(io::datasetPlace("a/b.log", inis), here);
   ::unsetenv("ARIADNE_DATASETS");
 }
+
+TEST_F(DatasetPlace, OfAnIniThatIsNamedFromItsOwnFolder) {
+  const fs::path shared = made(folder / "shared" / "datasets" / "a/b.log");
+  const fs::path before_this = fs::current_path();
+  fs::current_path(inis);
+  EXPECT_EQ(io::datasetPlace("a/b.log", ""), shared);
+  EXPECT_EQ(io::datasetPlace("none.log", ""), "none.log");
+  fs::current_path(before_this);
+}

@@ -22,7 +22,8 @@ fs::path datasetPlace(const std::string& name, const fs::path& folder) {
     const fs::path there = fs::path(given) / name;
     return isThere(there) ? fs::absolute(there).lexically_normal() : here;
   }
-  fs::path above = fs::absolute(folder).lexically_normal();
+  // An INI named without its folder has an empty one.
+  fs::path above = fs::absolute(folder / ".").lexically_normal();
   for (; above != above.root_path(); above = above.parent_path())
     if (isThere(above / "shared" / "datasets" / name)) return above / "shared" / "datasets" / name;
   return here;

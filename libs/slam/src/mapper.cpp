@@ -99,6 +99,7 @@ StepReport Mapper::Impl::update(const grid::Scan& scan, const TPose2D& motion,
       particles.predict(motion);
     particles.match(scan);
     particles.weigh(scan);
+    if (after_weighing) after_weighing();
     report.neff = particles.neff();  // Eq. (10)
     if (report.neff < params.filter.beta * static_cast<double>(particles.size()))
       particles.resample();

@@ -5,6 +5,7 @@ namespace ariadne::slam {
 
 std::unique_ptr<Mapper> Mapper::forkWithoutRecovery() const {
   std::unique_ptr<Mapper> other(new Mapper(std::make_unique<Impl>(*impl_)));
+  other->impl_->after_weighing = nullptr;
   other->impl_->before_recovery = nullptr;
   other->impl_->loops.disableRecovery();
   return other;
@@ -33,6 +34,10 @@ void Mapper::gatherBest(const std::vector<std::unique_ptr<Mapper>>& others,
   }
   impl_->particles.replace(std::move(particles), weights);
   impl_->loops.setGraphs(std::move(of_each));
+}
+
+void Mapper::afterWeighing(std::function<void()> call) {
+  impl_->after_weighing = std::move(call);
 }
 
 void Mapper::beforeRecovery(std::function<void()> call) {

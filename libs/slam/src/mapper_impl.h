@@ -32,6 +32,7 @@ struct Mapper::Impl {
   std::vector<OdometryRecord> records;
   std::vector<mrpt::obs::CObservation2DRangeScan::Ptr> scans;  // one an update
   StageTimes times;
+  std::function<void()> after_weighing;
   std::function<void()> before_recovery;
 };
 

@@ -17,6 +17,10 @@ class MapperArms {
   static std::unique_ptr<slam::Mapper> forkWithoutRecovery(const slam::Mapper& mapper) {
     return mapper.forkWithoutRecovery();
   }
+  /// Calls in each update when its particles are drawn and weighed, before any resampling.
+  static void afterWeighing(slam::Mapper& mapper, std::function<void()> call) {
+    mapper.afterWeighing(std::move(call));
+  }
   /// Calls each time just before a recovery replaces the particles.
   static void beforeRecovery(slam::Mapper& mapper, std::function<void()> call) {
     mapper.beforeRecovery(std::move(call));

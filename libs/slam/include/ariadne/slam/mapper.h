@@ -94,6 +94,7 @@ class Mapper {
   void collapseTo(std::size_t particle, std::uint64_t seed);
   void gatherBest(const std::vector<std::unique_ptr<Mapper>>& others,
                   const std::vector<double>& weights);
+  void afterWeighing(std::function<void()> call);
   void beforeRecovery(std::function<void()> call);
   std::unique_ptr<Impl> impl_;
 };
