@@ -30,6 +30,20 @@ TEST(PosePath, HitsTheUpdatesAndBlendsBetweenThem) {
   EXPECT_NEAR(path[4].pose.x, 11.7, 1e-12);  // on from the last
 }
 
+TEST(PosePath, AnErrorOfATurnIsOfTheTurn) {
+  // The robot moves on by 0.1 m, then turns: by 0.6 rad, of which the odometry saw 0.4.
+  filter::AncestorPtr path_of_one = std::make_shared<filter::Ancestor>(
+      node(nullptr, 0, 0), 1, mrpt::math::TPose2D(0.1, 0, 0.6), 0);
+  const auto path = slam::posePath({{0, {0, 0, 0}, 1, true},
+                                    {1, {0.1, 0, 0}, 1, false},
+                                    {2, {0.1, 0, 0.2}, 1, false},
+                                    {3, {0.1, 0, 0.4}, 2, true}},
+                                   path_of_one);
+  EXPECT_NEAR(path[1].pose.phi, 0.2 * 0.1 / 0.5, 1e-12) << "a fifth of the motion";
+  EXPECT_NEAR(path[2].pose.phi, 0.2 + 0.2 * 0.3 / 0.5, 1e-12);
+  EXPECT_NEAR(path[3].pose.phi, 0.6, 1e-12);
+}
+
 TEST(PosePath, WithoutUpdatesItIsTheOdometry) {
   const auto path = slam::posePath({{0, {1, 2, 3}, 0, false}}, nullptr);
   ASSERT_EQ(path.size(), 1U);

@@ -16,6 +16,13 @@ TPose2D blend(const TPose2D& a, const TPose2D& b, double share) {
       {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.phi + share * turn}, {0, 0, 0});
 }
 
+/// Distance and turn as one length, m: a radian counts as a metre, about as between two updates
+/// (0.3 m or 15 degrees). By the distance alone, a robot that stops to turn would get the turn's
+/// error before it turns.
+double motionBetween(const TPose2D& a, const TPose2D& b) {
+  return geometry::distance(a, b) + std::abs(std::remainder(b.phi - a.phi, 2 * M_PI));
+}
+
 /// Odometry and pose of one filter update.
 struct Anchor {
   TPose2D odom;
@@ -51,8 +58,8 @@ geometry::Trajectory posePath(const std::vector<OdometryRecord>& records,
       pose = before.follow(r.odom_from_robot);
       if (r.updates > 0 && r.updates < anchors.size() && !r.is_update) {
         const Anchor& after = anchors[r.updates];
-        const double done = geometry::distance(before.odom, r.odom_from_robot);
-        const double left = geometry::distance(r.odom_from_robot, after.odom);
+        const double done = motionBetween(before.odom, r.odom_from_robot);
+        const double left = motionBetween(r.odom_from_robot, after.odom);
         const double share = done + left > 0 ? done / (done + left) : 0;
         pose = blend(pose, after.follow(r.odom_from_robot), share);
       }

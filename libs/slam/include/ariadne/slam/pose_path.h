@@ -17,7 +17,7 @@ struct OdometryRecord {
 };
 
 /// One pose (map_from_robot) a record. At updates it is the hypothesis' own; between two updates
-/// the odometry is followed from both and blended by the share of the distance; after the last it is
+/// the odometry is followed from both and blended by the share of the motion; after the last it is
 /// followed on, before the first back.
 geometry::Trajectory posePath(const std::vector<OdometryRecord>& records,
                               const filter::AncestorPtr& leaf);
