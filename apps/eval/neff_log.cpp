@@ -7,9 +7,9 @@
 
 #include "ariadne/charts/curves.h"
 #include "ariadne/core/error.h"
-#include "ariadne/eval/interval.h"
 #include "ariadne/experiment/neff_fall.h"
 #include "ariadne/io/tum.h"
+#include "ariadne/statistics/interval.h"
 
 namespace ariadne::eval_app {
 namespace {
@@ -65,7 +65,7 @@ std::vector<charts::Band> bandsOf(const std::vector<eval::PathPoint>& truth) {
 /// Median of the runs' values with its 95 % interval.
 std::string medianOf(std::vector<double> values) {
   core::RandomStream rng(1, 0, 0, core::Purpose::resampling);
-  const eval::Interval interval = eval::medianInterval(values, rng);
+  const statistics::Interval interval = statistics::medianInterval(values, rng);
   std::sort(values.begin(), values.end());
   const std::size_t n = values.size();
   const double median = (values[(n - 1) / 2] + values[n / 2]) / 2;

@@ -7,7 +7,7 @@
 #include <ostream>
 
 #include "ariadne/core/error.h"
-#include "ariadne/eval/plan.h"
+#include "ariadne/statistics/plan.h"
 #include "command_line.h"
 
 namespace ariadne::eval_app {
@@ -27,7 +27,7 @@ constexpr const char* kExamples =
 struct PlanArguments {
   double p1 = 0;
   double p2 = 0;
-  eval::PlanGoal goal;
+  statistics::PlanGoal goal;
   bool paired = false;
   std::optional<double> only_first;
   bool json = false;
@@ -72,7 +72,7 @@ Discordant discordantOf(const PlanArguments& a) {
   return {first, first + a.p2 - a.p1};
 }
 
-std::string powerText(const eval::Plan& plan) {
+std::string powerText(const statistics::Plan& plan) {
   return plan.exact ? fmt::format("power {:.4f}, exact", plan.power)
                     : "by the normal formula: too many for exact sums";
 }
@@ -86,8 +86,8 @@ int runPlan(const std::vector<std::string>& args, std::ostream& out) {
   if (!app::parseCommandLine(app, args, out)) return 0;
   check(a);
   const Discordant d = discordantOf(a);
-  const eval::Plan plan = a.paired ? eval::planPaired(d.first, d.second, a.goal)
-                                   : eval::planUnpaired(a.p1, a.p2, a.goal);
+  const statistics::Plan plan = a.paired ? statistics::planPaired(d.first, d.second, a.goal)
+                                         : statistics::planUnpaired(a.p1, a.p2, a.goal);
   if (a.json) {
     nlohmann::ordered_json json{{"test", a.paired ? "McNemar" : "Fisher"},
                                 {"rates", {a.p1, a.p2}},

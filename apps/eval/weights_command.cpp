@@ -11,12 +11,12 @@
 
 #include "ariadne/core/error.h"
 #include "ariadne/core/parallel.h"
-#include "ariadne/eval/interval.h"
-#include "ariadne/eval/logistic.h"
 #include "ariadne/experiment/drives.h"
 #include "ariadne/experiment/loop_config_file.h"
 #include "ariadne/experiment/weight_pairs.h"
 #include "ariadne/io/ini_text.h"
+#include "ariadne/statistics/interval.h"
+#include "ariadne/statistics/logistic.h"
 #include "command_line.h"
 #include "ini_program.h"
 #include "progress.h"
@@ -103,7 +103,8 @@ RunTold toldBy(const std::vector<experiment::WeightPair>& pairs) {
   for (std::size_t i = 0; i < told.size(); ++i) {
     const auto right =
         std::count_if(ratios[i].begin(), ratios[i].end(), [](double x) { return x > 0; });
-    told[i] = {ratios[i].size(), static_cast<std::size_t>(right), eval::logisticSlope(ratios[i])};
+    told[i] = {ratios[i].size(), static_cast<std::size_t>(right),
+               statistics::logisticSlope(ratios[i])};
   }
   return told;
 }
@@ -129,7 +130,7 @@ std::vector<RunTold> mapAll(const std::vector<Drive>& drives, const WeightsOptio
 std::string slopeText(std::vector<double> slopes) {
   if (slopes.empty()) return "";
   core::RandomStream rng(1, 0, 0, core::Purpose::resampling);
-  const eval::Interval interval = eval::medianInterval(slopes, rng);
+  const statistics::Interval interval = statistics::medianInterval(slopes, rng);
   std::sort(slopes.begin(), slopes.end());
   const std::size_t n = slopes.size();
   return fmt::format("{:.3f} [{:.3f} to {:.3f}]", (slopes[(n - 1) / 2] + slopes[n / 2]) / 2,

@@ -7,7 +7,7 @@
 #include "ariadne/batch/runs_csv.h"
 #include "ariadne/batch/tables.h"
 #include "ariadne/core/error.h"
-#include "ariadne/eval/exact_tests.h"
+#include "ariadne/statistics/exact_tests.h"
 
 using namespace ariadne;
 using namespace ariadne::batch;
@@ -67,7 +67,7 @@ TEST(BatchTables, CountsMediansAndPairs) {
   // Only the first: seed 1. Only the second: seeds 4 to 9. Seed 10 has no pair.
   EXPECT_EQ(cells[1].pairs->only_first, 1U);
   EXPECT_EQ(cells[1].pairs->only_this, 6U);
-  EXPECT_DOUBLE_EQ(cells[1].pairs->p, eval::mcnemarTest(1, 6));
+  EXPECT_DOUBLE_EQ(cells[1].pairs->p, statistics::mcnemarTest(1, 6));
 }
 
 TEST(BatchTables, InFourFormats) {

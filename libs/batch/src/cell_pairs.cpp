@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "ariadne/eval/exact_tests.h"
+#include "ariadne/statistics/exact_tests.h"
 
 namespace ariadne::batch {
 namespace {
@@ -33,7 +33,7 @@ Pairs pairsOf(const Plan& plan, const Runs& first, const Runs& runs, std::size_t
     pairs.only_first += first_one == Judgement::success && this_one == Judgement::no_success;
     pairs.only_this += this_one == Judgement::success && first_one == Judgement::no_success;
   }
-  pairs.p = eval::mcnemarTest(pairs.only_first, pairs.only_this);
+  pairs.p = statistics::mcnemarTest(pairs.only_first, pairs.only_this);
   return pairs;
 }
 

@@ -18,7 +18,7 @@ void add(std::vector<Column>& columns, const std::string& name, bool csv, const 
     columns.push_back({name, [=](const Cell& c) {
                          const auto m = median(c);
                          if (!m) return std::string();
-                         const eval::Interval i = medianInterval95(sample(c));
+                         const statistics::Interval i = medianInterval95(sample(c));
                          return fmt::format("{} [{}, {}]", written(form, *m), written(form, i.low),
                                             written(form, i.high));
                        }});

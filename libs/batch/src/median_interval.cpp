@@ -9,9 +9,9 @@ constexpr std::size_t kResamples = 1999;
 
 }  // namespace
 
-eval::Interval medianInterval95(const std::vector<double>& values) {
+statistics::Interval medianInterval95(const std::vector<double>& values) {
   core::RandomStream rng(1, 0, 0, core::Purpose::bootstrap);
-  return eval::medianInterval(values, rng, 0.95, kResamples);
+  return statistics::medianInterval(values, rng, 0.95, kResamples);
 }
 
 }  // namespace ariadne::batch

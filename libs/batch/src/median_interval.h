@@ -2,11 +2,11 @@
 #pragma once
 #include <vector>
 
-#include "ariadne/eval/interval.h"
+#include "ariadne/statistics/interval.h"
 
 namespace ariadne::batch {
 
 /// Bootstrap, 95 %. Depends on nothing but the values, of which there must be one.
-eval::Interval medianInterval95(const std::vector<double>& values);
+statistics::Interval medianInterval95(const std::vector<double>& values);
 
 }  // namespace ariadne::batch

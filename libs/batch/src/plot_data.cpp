@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "ariadne/eval/interval.h"
+#include "ariadne/statistics/interval.h"
 #include "median_interval.h"
 #include "plot_axis.h"
 
@@ -17,7 +17,7 @@ using PointOf = std::function<std::optional<PlotPoint>(const Cell&)>;
 
 std::optional<PlotPoint> ratePoint(const Cell& cell) {
   if (cell.judged() == 0) return std::nullopt;
-  const eval::Interval i = eval::wilsonInterval(cell.successes, cell.judged());
+  const statistics::Interval i = statistics::wilsonInterval(cell.successes, cell.judged());
   const double rate = static_cast<double>(cell.successes) / static_cast<double>(cell.judged());
   return PlotPoint{0, 100 * rate, 100 * i.low, 100 * i.high, cell.judged()};
 }
@@ -25,7 +25,7 @@ std::optional<PlotPoint> ratePoint(const Cell& cell) {
 std::optional<PlotPoint> medianPoint(const Cell& cell, std::size_t figure) {
   const auto& values = cell.samples[figure];
   if (values.empty()) return std::nullopt;
-  const eval::Interval i = medianInterval95(values);
+  const statistics::Interval i = medianInterval95(values);
   return PlotPoint{0, *cell.medians[figure], i.low, i.high, values.size()};
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "ariadne/batch/tables.h"
-#include "ariadne/eval/interval.h"
+#include "ariadne/statistics/interval.h"
 #include "figure_columns.h"
 
 namespace ariadne::batch {
@@ -17,8 +17,9 @@ double rateOf(const Cell& c) {
 }
 
 /// Of no run nothing is known.
-eval::Interval intervalOf(const Cell& c) {
-  return c.judged() > 0 ? eval::wilsonInterval(c.successes, c.judged()) : eval::Interval{0, 1};
+statistics::Interval intervalOf(const Cell& c) {
+  return c.judged() > 0 ? statistics::wilsonInterval(c.successes, c.judged())
+                        : statistics::Interval{0, 1};
 }
 
 void addRates(Columns& columns, bool csv) {

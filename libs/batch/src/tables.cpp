@@ -6,7 +6,7 @@
 
 #include "ariadne/core/error.h"
 #include "ariadne/core/names.h"
-#include "ariadne/eval/exact_tests.h"
+#include "ariadne/statistics/exact_tests.h"
 #include "cell_pairs.h"
 
 namespace ariadne::batch {
@@ -44,7 +44,7 @@ void adjust(std::vector<Cell>& cells) {
   std::vector<double> p;
   for (const Cell& c : cells)
     if (c.pairs) p.push_back(c.pairs->p);
-  const auto adjusted = eval::holmAdjusted(p);
+  const auto adjusted = statistics::holmAdjusted(p);
   std::size_t next = 0;
   for (Cell& c : cells)
     if (c.pairs) c.pairs->p_holm = adjusted[next++];

@@ -1,4 +1,4 @@
-#include "ariadne/eval/exact_tests.h"
+#include "ariadne/statistics/exact_tests.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "ariadne/core/error.h"
 
-namespace ariadne::eval {
+namespace ariadne::statistics {
 namespace {
 
 std::vector<std::size_t> ascending(const std::vector<double>& values) {
@@ -87,4 +87,4 @@ std::vector<double> holmAdjusted(const std::vector<double>& p_values) {
   return adjusted;
 }
 
-}  // namespace ariadne::eval
+}  // namespace ariadne::statistics

@@ -1,4 +1,4 @@
-#include "ariadne/eval/plan.h"
+#include "ariadne/statistics/plan.h"
 
 #include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "ariadne/core/error.h"
-#include "ariadne/eval/exact_tests.h"
+#include "ariadne/statistics/exact_tests.h"
 #include "checks.h"
 
-namespace ariadne::eval {
+namespace ariadne::statistics {
 namespace {
 
 using boost::math::binomial;
@@ -127,4 +127,4 @@ Plan planPaired(double only_first, double only_second, const PlanGoal& goal) {
   });
 }
 
-}  // namespace ariadne::eval
+}  // namespace ariadne::statistics

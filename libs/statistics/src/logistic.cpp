@@ -1,10 +1,10 @@
-#include "ariadne/eval/logistic.h"
+#include "ariadne/statistics/logistic.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace ariadne::eval {
+namespace ariadne::statistics {
 namespace {
 
 struct Derivatives {
@@ -48,4 +48,4 @@ double logisticSlope(const std::vector<double>& ln_ratios) {
   return k;
 }
 
-}  // namespace ariadne::eval
+}  // namespace ariadne::statistics

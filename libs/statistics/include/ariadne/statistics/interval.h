@@ -5,7 +5,7 @@
 
 #include "ariadne/core/random.h"
 
-namespace ariadne::eval {
+namespace ariadne::statistics {
 
 /// Of confidence, ends included.
 struct Interval {
@@ -27,4 +27,4 @@ Interval wilsonInterval(std::size_t successes, std::size_t trials, double confid
 Interval medianInterval(std::vector<double> values, core::RandomStream& rng,
                         double confidence = 0.95, std::size_t resamples = 9999);
 
-}  // namespace ariadne::eval
+}  // namespace ariadne::statistics

@@ -2,7 +2,7 @@
 #pragma once
 #include <cstddef>
 
-namespace ariadne::eval {
+namespace ariadne::statistics {
 
 /// What the planned test is to achieve.
 struct PlanGoal {
@@ -41,4 +41,4 @@ double normalSeeds(double p1, double p2, const PlanGoal& goal = {});
 /// The same for pairs (McNemar).
 double normalPairs(double only_first, double only_second, const PlanGoal& goal = {});
 
-}  // namespace ariadne::eval
+}  // namespace ariadne::statistics

@@ -1,4 +1,4 @@
-#include "ariadne/eval/interval.h"
+#include "ariadne/statistics/interval.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include "ariadne/core/error.h"
 #include "checks.h"
 
-namespace ariadne::eval {
+namespace ariadne::statistics {
 namespace {
 
 /// Reorders the values.
@@ -59,4 +59,4 @@ Interval medianInterval(std::vector<double> values, core::RandomStream& rng, dou
   return {medians[low], medians[resamples - 1 - low]};
 }
 
-}  // namespace ariadne::eval
+}  // namespace ariadne::statistics

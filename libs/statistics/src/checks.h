@@ -4,7 +4,7 @@
 
 #include "ariadne/core/error.h"
 
-namespace ariadne::eval {
+namespace ariadne::statistics {
 
 /// Throws core::UsageError unless 0 < value < 1.
 inline void checkShare(double value, const char* name) {
@@ -18,4 +18,4 @@ inline void checkProbability(double value, const char* name) {
     throw core::UsageError(fmt::format("{} = {} is out of bounds: 0 to 1", name, value));
 }
 
-}  // namespace ariadne::eval
+}  // namespace ariadne::statistics

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace ariadne::eval {
+namespace ariadne::statistics {
 
 /// McNemar's exact test, for two arms on the same seeds: p = min(1, 2 P(X <= min(b, c))),
 /// X ~ Bin(b + c, 1/2), b and c the pairs in which only the one or only the other arm was right.
@@ -27,4 +27,4 @@ std::vector<double> fisherPValues(std::size_t trials1, std::size_t trials2, std:
 /// called significant together. Throws core::Error when one is not in [0, 1].
 std::vector<double> holmAdjusted(const std::vector<double>& p_values);
 
-}  // namespace ariadne::eval
+}  // namespace ariadne::statistics

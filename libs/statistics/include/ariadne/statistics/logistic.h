@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-namespace ariadne::eval {
+namespace ariadne::statistics {
 
 /// k of P(a is the better one | ln weight of a - ln weight of b = x) = 1 / (1 + exp(-k x)), by
 /// maximum likelihood (Newton's method; the sum is concave in k). 1: the weights say what they
@@ -11,4 +11,4 @@ namespace ariadne::eval {
 /// negative, minus infinity), 0 for none.
 double logisticSlope(const std::vector<double>& ln_ratios);
 
-}  // namespace ariadne::eval
+}  // namespace ariadne::statistics

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "ariadne/core/random.h"
-#include "ariadne/eval/logistic.h"
+#include "ariadne/statistics/logistic.h"
 
-using ariadne::eval::logisticSlope;
+using ariadne::statistics::logisticSlope;
 
 TEST(LogisticSlope, OfFewPairsInClosedForm) {
   // Three of four right at the same ratio: 1 / (1 + exp(-2 k)) = 3/4.
