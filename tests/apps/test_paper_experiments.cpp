@@ -81,20 +81,18 @@ TEST_P(PaperExperiments, ASeedIsWithinTheCommittedResults) {
 
 INSTANTIATE_TEST_SUITE_P(
     Each, PaperExperiments,
-    ::testing::Values(Small{"nested_loop", "1001", {}}, Small{"nested_loop_closed", "4001", {"world=nested"}},
-                      Small{"other_environment", "1001", {}},
-                      Small{"killian_court", "1001", {}},
-                      Small{"survivors", "1001", {"world=nested2"}},
-                      Small{"neff", "1001", {"world=nested"}}, Small{"three_loops", "2001", {}},
-                      Small{"path_overhead", "2001", {"world=eight,small"}},
-                      Small{"against_uncertainty", "2001", {"world=nested"}},
-                      Small{"strategies", "2001", {"world=office"}},
-                      Small{"better_maps", "3001", {"world=small"}},
-                      Small{"new_ground", "2001", {"world=nested2", "strategy=frontier"}},
-                      Small{"recovery_cost", "1001", {}}, Small{"laps", "1001", {"laps=0,3"}},
-                      Small{"particles", "1001", {"particles=15"}},
-                      Small{"odometry_noise", "1001", {"noise=2"}}, Small{"oracle", "1001", {}},
-                      Small{"datasets", "1", {}}),
+    ::testing::Values(
+        Small{"nested_loop", "1001", {}}, Small{"nested_loop_closed", "4001", {"world=nested"}},
+        Small{"other_environment", "1001", {}}, Small{"killian_court", "1001", {}},
+        Small{"survivors", "1001", {"world=nested2"}}, Small{"neff", "1001", {"world=nested"}},
+        Small{"three_loops", "2001", {}}, Small{"path_overhead", "2001", {"world=eight,small"}},
+        Small{"against_uncertainty", "2001", {"world=nested"}},
+        Small{"strategies", "2001", {"world=office"}},
+        Small{"better_maps", "3001", {"world=small"}},
+        Small{"new_ground", "2001", {"world=nested2", "strategy=frontier"}},
+        Small{"recovery_cost", "1001", {}}, Small{"laps", "1001", {"laps=0,3"}},
+        Small{"particles", "1001", {"particles=15"}}, Small{"odometry_noise", "1001", {"noise=2"}},
+        Small{"oracle", "1001", {}}, Small{"datasets", "1", {}}),
     [](const auto& small) { return small.param.name; });
 
 TEST(PaperInis, AllCanBePlannedAndHaveCommittedResults) {
