@@ -1,5 +1,6 @@
 // Logs that do not make sense through ariadne-slam, and what a run said of them.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 

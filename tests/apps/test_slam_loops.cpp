@@ -2,6 +2,7 @@
 // smaller one beside it. c1 and c2 are made to fit its 40 m; the log ends within the outer ring.
 #include <mrpt/img/CImage.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,5 @@
 // report.html and the true path.
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "../report/replay_fixture.h"

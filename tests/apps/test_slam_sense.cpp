@@ -1,4 +1,6 @@
 // Logs whose clock or readings do not make sense: what a run makes of them, and what it says.
+#include <algorithm>
+
 #include "slam_sense.h"
 
 using namespace ariadne;

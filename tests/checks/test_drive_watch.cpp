@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "ariadne/checks/drive_watch.h"
 #include "room.h"
 

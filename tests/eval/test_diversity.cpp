@@ -1,6 +1,7 @@
 // Measures of diversity against closed forms and brute force.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 

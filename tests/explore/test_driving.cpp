@@ -1,6 +1,7 @@
 // Following routes, looking out, and the way through a loop.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "ariadne/explore/guard.h"
@@ -71,8 +72,8 @@ TEST(RouteFollower, StaysOnTheRouteAndStopsAtItsEnd) {
   EXPECT_EQ(follower.command(robot, {}).forward_m_s, 0);
 }
 
-// Through a door of 0.8 m, along its wall and then in. Measured: 0.27 m off its frame; 0.18 m, which
-// is a touch, where the laser is not heeded.
+// Through a door of 0.8 m, along its wall and then in. Measured: 0.27 m off its frame; 0.18 m,
+// which is a touch, where the laser is not heeded.
 TEST(RouteFollower, DoesNotCutTheFrameOfADoor) {
   const ExploreParams params;
   explore::RouteFollower follower(params);

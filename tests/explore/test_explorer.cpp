@@ -1,6 +1,8 @@
 // The explorer step by step, on scans of a room.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "../room.h"
 #include "ariadne/explore/explorer.h"
 

@@ -1,6 +1,7 @@
 // The packed plane against the plainest one: a byte a cell.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <thread>

@@ -1,6 +1,7 @@
 // Each kind of bad input that a dataset can be: a clear error or a counted warning.
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "sample_logs.h"

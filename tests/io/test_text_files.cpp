@@ -1,6 +1,8 @@
 // Every reader of text takes what editors and other systems make of a file.
 #include <zlib.h>
 
+#include <algorithm>
+
 #include "ariadne/io/relations.h"
 #include "ariadne/io/tum.h"
 #include "sample_logs.h"

@@ -1,6 +1,7 @@
 // Rawlogs of a robot among straight walls, without noise unless asked for: what a laser of a given
 // reach, rounding and code for "nothing" sees.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>

@@ -1,5 +1,7 @@
 #include "ariadne/io/ini_writer.h"
 
+#include <algorithm>
+
 namespace ariadne::io {
 
 std::string iniText(const std::string& value) {

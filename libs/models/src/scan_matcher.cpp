@@ -2,6 +2,7 @@
 
 #include <mrpt/core/bits_math.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "ariadne/geometry/pose.h"

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "ariadne/core/error.h"
 #include "ariadne/loops/places/loop_opportunity.h"
 #include "corridors.h"

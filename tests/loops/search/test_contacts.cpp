@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "ariadne/geometry/pose.h"
 #include "ariadne/loops/search/contact_book.h"
 #include "corridor.h"

@@ -1,6 +1,7 @@
 #include "ariadne/grid/insertion/wall_directions.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 
 namespace ariadne::grid {

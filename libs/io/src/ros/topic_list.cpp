@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 namespace ariadne::io::ros {
 
 std::string listOf(const std::vector<std::string>& texts, std::size_t most) {
