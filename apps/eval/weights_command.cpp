@@ -25,19 +25,16 @@ namespace ariadne::eval_app {
 namespace {
 
 constexpr const char* kAboutWeights =
-    "How far the filter's weights are to be believed. Maps drives with a known truth and takes "
-    "all\n"
-    "pairs of particles of each update: k of P(a is nearer the truth than b) = 1 / (1 + exp(-k "
-    "x)),\n"
-    "x the logarithm of a's weight over b's by that scan. 1: the weights say what they know; under "
-    "1\n"
-    "they say too much; 0: they tell nothing.";
+    "How far the filter's weights are to be believed. Maps drives with a known truth and takes\n"
+    "all pairs of particles of each update: k of P(a is nearer the truth than b) =\n"
+    "1/(1 + exp(-k x)), where x is the logarithm of a's weight over b's by the scans of a stretch\n"
+    "of path. With k = 1 the weights say what they know, under 1 they say too much, with 0 they\n"
+    "tell nothing.";
 
 constexpr const char* kWeightsFooter =
     "Examples:\n"
     "  ariadne-eval weights ini/paper/drives/nested_defaults.ini\n"
-    "  ariadne-eval weights ini/paper/drives/nested_defaults.ini --last 10 --set "
-    "filter.weight_gain=0.02\n"
+    "  ariadne-eval weights A.ini B.ini --last 10 --set filter.weight_gain=0.02\n"
     "Exit code: 0 fine, 1 the run failed, 2 wrong use.";
 
 struct WeightsOptions {

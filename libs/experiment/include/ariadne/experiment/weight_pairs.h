@@ -21,8 +21,9 @@ struct PairParams {
   /// Errors differ by this at the least: closer pairs tell nothing.
   double least_m = 0.1;
   /// Weights are of the scans of the last metres of the path. Scans of one place repeat each other,
-  /// so what a stretch tells is less than its scans one by one; 0: of the last scan alone.
-  double stretch_m = 0;
+  /// so what a stretch tells is less than its scans one by one; 10 m is about what lies between two
+  /// resamplings. 0: of the last scan alone.
+  double stretch_m = 10;
 };
 
 /// The pairs of all updates of a drive, as the filter weighed them before any resampling, with the
