@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ariadne/geometry/axes.h"
+
 namespace ariadne::grid {
 namespace {
 
@@ -60,9 +62,9 @@ WallDirections wallDirections(const std::vector<TPoint2D>& ends,
     ++told;
   }
   if (told < kFewestEnds) return {};
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(normals / static_cast<double>(told));
-  const Eigen::Vector2d axis = axes.eigenvectors().col(0);
-  return {{axis[0], axis[1]}, std::max(0.0, axes.eigenvalues()[0])};
+  const geometry::Axes axes = geometry::axesOf(normals / static_cast<double>(told));
+  const Eigen::Vector2d axis = axes.vectors.col(0);
+  return {{axis[0], axis[1]}, std::max(0.0, axes.values[0])};
 }
 
 }  // namespace ariadne::grid

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "ariadne/geometry/axes.h"
 #include "ariadne/geometry/pose.h"
 
 namespace ariadne::loops {
@@ -31,9 +32,9 @@ std::optional<Eigen::Vector2d> normalAt(const ScanHits& hits, std::size_t i) {
   }
   if (n < kFewest) return std::nullopt;
   const Eigen::Matrix2d spread = squares - sum * sum.transpose() / static_cast<double>(n);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
-  if (axes.eigenvalues()[0] > kThin * axes.eigenvalues()[1]) return std::nullopt;
-  return axes.eigenvectors().col(0);
+  const geometry::Axes axes = geometry::axesOf(spread);
+  if (axes.values[0] > kThin * axes.values[1]) return std::nullopt;
+  return axes.vectors.col(0);
 }
 
 /// What holds across walls of each direction: of all ends of a scan, and of those that agree.
@@ -45,10 +46,10 @@ struct Held {
 /// Takes the information out along each axis in which too few of the walls agree: two places of
 /// one corridor agree in its walls, and a door here and there does so by chance.
 void dropUnsupported(const Held& held, double least_share, Eigen::Matrix3d& information) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(held.all);
+  const geometry::Axes axes = geometry::axesOf(held.all);
   for (int k = 0; k < 2; ++k) {
-    const Eigen::Vector2d axis = axes.eigenvectors().col(k);
-    if (axis.dot(held.agreeing * axis) >= least_share * axes.eigenvalues()[k]) continue;
+    const Eigen::Vector2d axis = axes.vectors.col(k);
+    if (axis.dot(held.agreeing * axis) >= least_share * axes.values[k]) continue;
     Eigen::Matrix3d keep = Eigen::Matrix3d::Identity();
     keep.topLeftCorner<2, 2>() -= axis * axis.transpose();
     information = keep * information * keep;

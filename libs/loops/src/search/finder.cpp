@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ariadne/geometry/axes.h"
 #include "ariadne/geometry/covariance.h"
 #include "ariadne/geometry/pose.h"
 #include "ariadne/loops/search/piece.h"
@@ -40,7 +41,7 @@ double radiusOf(const std::vector<TPoint2D>& points) {
 /// Holds the robot in both directions.
 bool isFirm(const Contact& c) {
   const Eigen::Matrix2d position = c.information.topLeftCorner<2, 2>();
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(position).eigenvalues()[0] > 200;
+  return geometry::axesOf(position).values[0] > 200;
 }
 
 }  // namespace
@@ -93,8 +94,7 @@ Finder::Old Finder::oldPlaces(const Track& track) const {
     old.far[k] = true;
     old.drift[k] *= std::min(1.0, by_contacts[k] / path_m);
     const double sigma_m =
-        std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(old.drift[k].topLeftCorner<2, 2>())
-                      .eigenvalues()[1]);
+        std::sqrt(geometry::axesOf(old.drift[k].topLeftCorner<2, 2>()).values[1]);
     const double half_m = std::min(params_.longest_window_m, 1 + 3 * sigma_m);
     if (geometry::distance(track.poses[k], here) > half_m + kReach_m) continue;
     old.half_m = std::max(old.half_m, half_m);
