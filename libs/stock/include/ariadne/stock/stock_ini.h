@@ -22,7 +22,7 @@ struct StockIni {
 /// It has a section [MappingApplication].
 bool isStockIni(const io::IniDocument& document);
 
-/// Reads the text as MRPT does (continued lines, @define, $env{}, $eval{}; names without case; a
+/// Reads the text as MRPT does (continued lines, `@define`, $env{}, $eval{}; names without case; a
 /// number ends where it ends; false is 0, no, false; enums by name or number).
 /// `file` names it in messages and is where a relative rawlog_file may start from.
 /// Throws core::UsageError for maps that are no 2D laser grid and for values that make no sense.
