@@ -43,7 +43,7 @@ TEST_F(OutputFolder, AFileOrAFolderInTheWayIsAnError) {
 
 TEST_F(OutputFolder, WhereNothingCanBeWrittenIsAnErrorBeforeTheWork) {
   EXPECT_THROW(prepareOutputFolder("/proc/ariadne", {}, false), Error);
-  EXPECT_THROW(prepareOutputFolder("/sys/kernel", {}, true), Error);
+  EXPECT_THROW(prepareOutputFolder("/proc/sys", {}, true), Error);
 }
 
 // A file size limit stands for a full disk: writes fail after the folder was made.
