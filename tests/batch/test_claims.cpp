@@ -36,8 +36,10 @@ TEST_F(Claiming, OneIsTakenOnce) {
 
 TEST_F(Claiming, OfProcessesAtOnceOneWins) {
   constexpr int kProcesses = 8;
-  int ready[2];
+  int ready[2], asked[2], give_back[2];
   ASSERT_EQ(::pipe(ready), 0);
+  ASSERT_EQ(::pipe(asked), 0);
+  ASSERT_EQ(::pipe(give_back), 0);
   for (int i = 0; i < kProcesses; ++i)
     if (::fork() == 0) {
       int won = 0;
@@ -46,12 +48,18 @@ TEST_F(Claiming, OfProcessesAtOnceOneWins) {
         char go = 0;
         if (::read(ready[0], &go, 1) != 1) ::_exit(100);
         for (int key = 0; key < 20; ++key) won += claims.take(std::to_string(key)) ? 1 : 0;
-        ::usleep(300000);  // all have asked before one gives back
+        // All have asked before one gives back.
+        if (::write(asked[1], "a", 1) != 1 || ::read(give_back[0], &go, 1) != 1) ::_exit(100);
       }
       ::_exit(won);
     }
   ::usleep(100000);
   ASSERT_EQ(::write(ready[1], "goooooooo", kProcesses), kProcesses);
+  ::close(asked[1]);  // so that reading ends should a process die
+  int count = 0;
+  for (char one = 0; count < kProcesses && ::read(asked[0], &one, 1) == 1;) ++count;
+  ASSERT_EQ(::write(give_back[1], "gggggggg", kProcesses), kProcesses);
+  EXPECT_EQ(count, kProcesses);
   int won = 0;
   for (int i = 0; i < kProcesses; ++i) {
     int status = 0;
