@@ -29,7 +29,7 @@ class PictureFile : public TemporaryFolder {
 std::string text(const char* letters, std::size_t count) { return {letters, count}; }
 
 /// Little-endian, as in a BMP.
-std::string number(std::uint32_t value, int bytes) {
+std::string number(std::uint64_t value, int bytes) {
   std::string out;
   for (int i = 0; i < bytes; ++i) out += static_cast<char>(value >> (8 * i) & 0xffU);
   return out;
